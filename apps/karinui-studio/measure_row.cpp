@@ -6,6 +6,7 @@
 #include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
+#include <algorithm>
 #include <cmath>
 
 #include "length_box.h"
@@ -17,9 +18,9 @@ namespace {
 
 constexpr double kReach = 0.25;  // of what is measured, to either side
 constexpr double kMost = 10;     // metres; what a body can have is said where it is asked for
-constexpr auto kWidest = "188.88 cm";
-constexpr int kCursor = 5;  // of a line of text: its own margins, and the cursor
-constexpr int kSliderDigits = 8;
+constexpr auto kWidest = "188.88 cm", kWidestGrey = "188.8 cm";
+constexpr int kMargins = 4, kCursor = 1;  // of a line of text
+constexpr int kSliderDigits = 7;
 // What the style takes of a box: its frame and the room to either side of its text.
 int frameOf(const QWidget& box) {
   QStyleOptionSpinBox option;
@@ -41,7 +42,10 @@ MeasureRow::MeasureRow(const Message& name)
     slider_->setAccessibleName(inWords(name));
     const QFontMetrics letters = box_->fontMetrics();
     box_->ensurePolished();
-    box_->setFixedWidth(letters.horizontalAdvance(kWidest) + kCursor + frameOf(*box_));
+    // What is greyed is told beside where a letter may reach to the left.
+    const int typed = letters.horizontalAdvance(kWidest) + kCursor,
+              grey = letters.horizontalAdvance(kWidestGrey) + std::max(0, -letters.minLeftBearing());
+    box_->setFixedWidth(std::max(typed, grey) + kMargins + frameOf(*box_));
     slider_->setMinimumWidth(kSliderDigits * letters.horizontalAdvance("0"));
   });
   slider_->setFocusPolicy(Qt::ClickFocus);  // Tab goes from box to box, and Up and Down turn the box
@@ -81,7 +85,7 @@ bool MeasureRow::eventFilter(QObject* who, QEvent* event) {
 void MeasureRow::show(std::optional<double> stated, const std::string& formula, double measured) {
   if (slider_->isSliderDown() || box_->hasFocus()) return;
   formula_ = formula;
-  box_->suggest(measured > 0 ? lengthText(measured, 2) : QString::fromUtf8("–"));
+  box_->suggest(measured > 0 ? lengthText(measured) : QString::fromUtf8("–"));
   box_->setToolTip(formula.empty() ? QString() : "= " + QString::fromStdString(formula));
   const QSignalBlocker quiet(slider_);
   box_->setMetres(stated.value_or(0));

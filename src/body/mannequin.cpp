@@ -119,31 +119,47 @@ std::vector<Target> targetsFor(const Measurements& stated, const Measurements& c
 
 Error unsound() { return refused(say("No sound body could be made from these measurements; leave some out.")); }
 
-Error unmet(const FigureSolver& solver, const Anthropometry& measured) {
+// What was stated and could not be met, and what stands against it.
+struct Unmet {
+  std::string key, other;  // other: empty if it is no single measure
+  double wanted = 0, otherWanted = 0;
+};
+
+Unmet unmetOf(const FigureSolver& solver, const Anthropometry& measured) {
   Residual worst;
   const auto all = residuals(solver.targets(), measured);
   for (std::size_t i = 0; i < all.size(); ++i)
     if (solver.targets()[i].stated && all[i].relative > worst.relative) worst = all[i];
-  if (worst.key.empty()) return unsound();
-  const std::string other = solver.conflictsWith(worst.key);
-  if (other.empty())
+  if (worst.key.empty()) return {};
+  Unmet unmet{worst.key, solver.conflictsWith(worst.key), worst.wanted, 0};
+  for (const Residual& its : all)
+    if (its.key == unmet.other) unmet.otherWanted = its.wanted;
+  return unmet;
+}
+
+// `limit`: the nearest of what was tried that can be made; none: nothing was found.
+Error unmetSaid(const Unmet& unmet, std::optional<double> limit) {
+  const std::string& key = unmet.key;
+  const Message wanted = measureSaid(key, unmet.wanted);
+  if (!limit)
+    return refused(say("No body could be made with {0} {1} beside the other measurements. Change it or leave it out.",
+                       key, wanted));
+  const Message nearest = measureSaid(key, *limit);
+  if (unmet.other.empty())
     return refused(
         say("No body could be made with {0} {1} beside the other measurements; the nearest has {2}. Change it or leave "
             "it out.",
-            worst.key, measureSaid(worst.key, worst.wanted), measureSaid(worst.key, worst.got)));
-  const auto its = std::find_if(all.begin(), all.end(), [&](const Residual& r) { return r.key == other; });
-  const Message wanted = measureSaid(worst.key, worst.wanted), had = measureSaid(other, its->wanted),
-                limit = measureSaid(worst.key, worst.got);
-  return worst.got < worst.wanted
-             ? refused(say("{0} {1} and {2} {3} do not go together: with this {2}, {0} is at most {4}.", worst.key,
-                           wanted, other, had, limit))
-             : refused(say("{0} {1} and {2} {3} do not go together: with this {2}, {0} is at least {4}.", worst.key,
-                           wanted, other, had, limit));
+            key, wanted, nearest));
+  const Message had = measureSaid(unmet.other, unmet.otherWanted);
+  return *limit < unmet.wanted
+             ? refused(say("{0} {1} and {2} {3} do not go together: with this {2}, {0} is at most {4}.", key, wanted,
+                           unmet.other, had, nearest))
+             : refused(say("{0} {1} and {2} {3} do not go together: with this {2}, {0} is at least {4}.", key, wanted,
+                           unmet.other, had, nearest));
 }
 
-}  // namespace
-
-Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token, MannequinEnds ends) {
+Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& token, MannequinEnds ends,
+                     Unmet& unmet) {
   if (const Done ok = plausible(wanted); !ok) return ok.error();
   const auto made = mannequinKeys();
   for (const auto& [key, value] : wanted.value) {
@@ -191,7 +207,11 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   const double far = solver.solve(evaluate, kCoarseRounds, kNear, 3);
   if (token.cancelled()) return cancelled();
   const auto none = [&] { return token.cancelled() ? cancelled() : unsound(); };
-  if (far > kHopeless) return evaluateOne(solver.alteration()) ? unmet(solver, now.measured) : none();
+  if (far > kHopeless) {
+    if (!evaluateOne(solver.alteration())) return none();
+    unmet = unmetOf(solver, now.measured);
+    return unsound();
+  }
   cell = std::max(kFine, kCoarse * std::sqrt(static_cast<double>(now.mesh.faces.size()) / kTriangles));
   polish = 4;
   bool met = false;
@@ -202,7 +222,10 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
     if (!evaluateOne(solver.alteration())) return none();
     met = worstResidual(solver.targets(), now.measured, true) <= 1;
     if (met && sound(now.mesh)) break;
-    if (!met) return unmet(solver, now.measured);
+    if (!met) {
+      unmet = unmetOf(solver, now.measured);
+      return unsound();
+    }
     met = false;
   }
   if (!met) return unsound();
@@ -241,6 +264,45 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   }
   parts.mesh = std::move(now.mesh);
   return Body::make(std::move(parts));
+}
+
+// Where the solver stops is no limit, so what is told as one has been made: halved between what follows without the
+// measure and what was wanted.
+std::optional<double> nearestMade(Measurements wanted, const std::string& key, Workers& workers, const Token& token,
+                                  MannequinEnds ends) {
+  constexpr int kHalvings = 4;
+  constexpr double kNearEnough = 0.01, kStep = 1e-3;  // metres
+  double bad = wanted.value.at(key);
+  Unmet ignored;
+  wanted.value.erase(key);
+  const auto without = made(wanted, workers, token, ends, ignored);
+  if (!without || !(*without)->measured().value.contains(key)) return std::nullopt;
+  double good = (*without)->measured().value.at(key);
+  bool met = false;
+  for (int k = 0; k < kHalvings && std::fabs(bad - good) > kNearEnough; ++k) {
+    const double middle = std::round((good + bad) / 2 / kStep) * kStep;
+    wanted.value[key] = middle;
+    const bool can = static_cast<bool>(made(wanted, workers, token, ends, ignored));
+    (can ? good : bad) = middle;
+    met = met || can;
+  }
+  if (token.cancelled()) return std::nullopt;
+  if (!met) {  // what follows without it, to the millimetre
+    wanted.value[key] = good = std::round(good / kStep) * kStep;
+    if (!made(wanted, workers, token, ends, ignored)) return std::nullopt;
+  }
+  return good;
+}
+
+}  // namespace
+
+Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token, MannequinEnds ends) {
+  Unmet unmet;
+  auto body = made(wanted, workers, token, ends, unmet);
+  if (body || unmet.key.empty()) return body;
+  const auto limit = nearestMade(wanted, unmet.key, workers, token, ends);
+  if (token.cancelled()) return cancelled();
+  return unmetSaid(unmet, limit);
 }
 
 }  // namespace karinui

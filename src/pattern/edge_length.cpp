@@ -139,6 +139,7 @@ class MovedEnd {
         follow(neighbour, !end_, by);
         for (Flat& p : neighbour.between) p += by;
         set(next_, end_, far_ + by);
+        set(k_, end_, *there);
         now.edges[beyond()].curve = symmetry_->image(neighbour).reversed();  // all of it goes, not its end alone
       } else if (keeps) {
         neighbour = end_ ? between(was, *there, far_) : between(was, far_, *there);

@@ -50,12 +50,17 @@ TEST(Message, SaysASentenceWithinASentenceInTheSameLanguage) {
 TEST(Message, SaysLengthsAsThePersonReadsThemAndLeavesNamesAlone) {
   const auto inches = [](double metres) { return fixed(metres / 0.0254, 2) + " in"; };
   const auto said = [&](const Message& m, Language l = Language::English) { return text(m, l, inches); };
-  const Message dart =
-      say("A dart {0} mm wide does not fit there on edge {1}, which is {2} mm long.", 25.4, "5 mm lace", 127);
-  EXPECT_EQ(said(dart), "A dart 1.00 in wide does not fit there on edge 5 mm lace, which is 5.00 in long.");
+  const Message dart = say(
+      "A dart {0} mm wide does not fit there on edge {1}, which is {2} mm long: it would open beyond its end. Put it "
+      "farther in, or join the edge to the next one first.",
+      25.4, "5 mm lace", 127);
+  EXPECT_EQ(said(dart),
+            "A dart 1.00 in wide does not fit there on edge 5 mm lace, which is 5.00 in long: it would open beyond its "
+            "end. Put it farther in, or join the edge to the next one first.");
   EXPECT_EQ(said(say("Step {0}: {1}", 2, dart)), "Step 2: " + said(dart));
   EXPECT_EQ(said(dart, Language::Japanese),
-            "幅 1.00 in のダーツは、長さ 5.00 in の辺「5 mm lace」のその位置に入りません。");
+            "幅 1.00 in のダーツは、長さ 5.00 in の辺「5 mm "
+            "lace」のその位置に入りません。辺の端を越えて開きます。内側へずらすか、先に次の辺とつないでください。");
   EXPECT_EQ(said(say("The line crosses itself at {0} mm; draw it without a loop.", "(50.8, -25.4)")),
             "The line crosses itself at (2.00 in, -1.00 in); draw it without a loop.");
   EXPECT_EQ(said(say("A dart is between 1 mm and 1 m wide.")), "A dart is between 0.04 in and 1 m wide.");

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 #include <span>
 
 #include "body/anthropometry/contour.h"
@@ -245,6 +246,28 @@ TEST(Mannequin, AQuarrelNamesBothAndTheRange) {
   EXPECT_NE(said.find("thigh_girth"), std::string::npos) << said;
   EXPECT_NE(said.find("do not go together"), std::string::npos) << said;
   EXPECT_TRUE(said.find("at most") != std::string::npos || said.find("at least") != std::string::npos) << said;
+}
+
+// The number that is told is one that can be made.
+TEST(Mannequin, TheNearestThatIsToldCanBeMade) {
+  Workers workers(1);
+  const Token token;
+  for (Measurements wanted :
+       {Measurements{Sex::Female, {{"height", 1.50}, {"bust_girth", 1.30}}},
+        Measurements{Sex::Female,
+                     {{"height", 1.50}, {"bust_girth", 1.20}, {"waist_girth", 1.10}, {"hip_girth", 1.25}}}}) {
+    const auto body = makeMannequin(wanted, workers, token);
+    if (body) continue;
+    const Message& told = body.error().what;
+    ASSERT_GE(told.values.size(), 3u) << text(told);
+    const std::string said = text(told);
+    const std::string key = text(told.values[0]);
+    std::smatch number;
+    ASSERT_TRUE(std::regex_search(said, number, std::regex("(?:has|at most|at least) ([0-9.]+)"))) << said;
+    wanted.value[key] = std::stod(number[1]) / 100;
+    const auto nearest = makeMannequin(wanted, workers, token);
+    EXPECT_TRUE(nearest) << said << " But: " << text(nearest.error().what);
+  }
 }
 
 TEST(Mannequin, RandomPlausiblePeopleAreMet) {

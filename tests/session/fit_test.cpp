@@ -181,8 +181,9 @@ TEST(Fit, TellsTheSameGirthsWithAnArmRaised) {
   std::map<std::string, double> before;
   for (const Girths& girths : girthsOf(tubesOn(*body, {{0, 0, 0.22}}, 1.6))) before[text(girths.name)] = girths.body;
   for (const Girths& girths : girthsOf(tubesOn(*raised, {{0, 0, 0.22}}, 1.6)))
-    if (text(girths.name) == "waist" || text(girths.name) == "hip")
+    if (text(girths.name) == "waist" || text(girths.name) == "hip") {
       EXPECT_NEAR(girths.body, before.at(text(girths.name)), 1e-3) << text(girths.name);
+    }
   ASSERT_TRUE(before.contains("hip"));
 }
 
