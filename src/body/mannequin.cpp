@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "body/anthropometry/contour.h"
 #include "body/chart.h"
@@ -121,8 +122,8 @@ Error unsound() { return refused(say("No sound body could be made from these mea
 
 // What was stated and could not be met, and what stands against it.
 struct Unmet {
-  std::string key, other;  // other: empty if it is no single measure
-  double wanted = 0, otherWanted = 0;
+  std::string key, other;                       // other: empty if it is no single measure
+  double wanted = 0, got = 0, otherWanted = 0;  // got: where the solver stopped
 };
 
 Unmet unmetOf(const FigureSolver& solver, const Anthropometry& measured) {
@@ -131,7 +132,7 @@ Unmet unmetOf(const FigureSolver& solver, const Anthropometry& measured) {
   for (std::size_t i = 0; i < all.size(); ++i)
     if (solver.targets()[i].stated && all[i].relative > worst.relative) worst = all[i];
   if (worst.key.empty()) return {};
-  Unmet unmet{worst.key, solver.conflictsWith(worst.key), worst.wanted, 0};
+  Unmet unmet{worst.key, solver.conflictsWith(worst.key), worst.wanted, worst.got, 0};
   for (const Residual& its : all)
     if (its.key == unmet.other) unmet.otherWanted = its.wanted;
   return unmet;
@@ -266,32 +267,23 @@ Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& 
   return Body::make(std::move(parts));
 }
 
-// Where the solver stops is no limit, so what is told as one has been made: halved between what follows without the
-// measure and what was wanted.
-std::optional<double> nearestMade(Measurements wanted, const std::string& key, Workers& workers, const Token& token,
+// Where the solver stops is no limit yet: what is told as one has been made. Tried are that place, what follows
+// without the measure, and the middle between.
+std::optional<double> nearestMade(Measurements wanted, const Unmet& unmet, Workers& workers, const Token& token,
                                   MannequinEnds ends) {
-  constexpr int kHalvings = 4;
-  constexpr double kNearEnough = 0.01, kStep = 1e-3;  // metres
-  double bad = wanted.value.at(key);
   Unmet ignored;
-  wanted.value.erase(key);
+  const auto canBe = [&](double value) {
+    constexpr double kStep = 1e-3;  // metres: as it is told
+    value = wanted.value[unmet.key] = std::round(value / kStep) * kStep;
+    return !token.cancelled() && made(wanted, workers, token, ends, ignored) ? std::optional(value) : std::nullopt;
+  };
+  if (const auto here = canBe(unmet.got)) return here;
+  wanted.value.erase(unmet.key);
   const auto without = made(wanted, workers, token, ends, ignored);
-  if (!without || !(*without)->measured().value.contains(key)) return std::nullopt;
-  double good = (*without)->measured().value.at(key);
-  bool met = false;
-  for (int k = 0; k < kHalvings && std::fabs(bad - good) > kNearEnough; ++k) {
-    const double middle = std::round((good + bad) / 2 / kStep) * kStep;
-    wanted.value[key] = middle;
-    const bool can = static_cast<bool>(made(wanted, workers, token, ends, ignored));
-    (can ? good : bad) = middle;
-    met = met || can;
-  }
-  if (token.cancelled()) return std::nullopt;
-  if (!met) {  // what follows without it, to the millimetre
-    wanted.value[key] = good = std::round(good / kStep) * kStep;
-    if (!made(wanted, workers, token, ends, ignored)) return std::nullopt;
-  }
-  return good;
+  if (!without || !(*without)->measured().value.contains(unmet.key)) return std::nullopt;
+  const double free = (*without)->measured().value.at(unmet.key);
+  if (const auto middle = canBe(std::midpoint(unmet.got, free))) return middle;
+  return canBe(free);
 }
 
 }  // namespace
@@ -300,7 +292,7 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   Unmet unmet;
   auto body = made(wanted, workers, token, ends, unmet);
   if (body || unmet.key.empty()) return body;
-  const auto limit = nearestMade(wanted, unmet.key, workers, token, ends);
+  const auto limit = nearestMade(wanted, unmet, workers, token, ends);
   if (token.cancelled()) return cancelled();
   return unmetSaid(unmet, limit);
 }
