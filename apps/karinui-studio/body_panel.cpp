@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <cmath>
 
 #include "file_filter.h"
 #include "karinui/base/number.h"
@@ -26,6 +27,7 @@ namespace {
 // The measures one is asked for first, and all others that a mannequin can be made to.
 constexpr std::string_view kFirst[]{"height",         "bust_girth", "under_bust_girth", "waist_girth", "hip_girth",
                                     "shoulder_width", "arm_length", "crotch_height",    "belly_girth"};
+constexpr std::string_view kOwn[]{"height", "bust_girth", "waist_girth", "hip_girth"};  // that make a figure
 constexpr std::string_view kLevels[]{"bust_height", "armpit_height", "waist_height", "back_waist_length"};
 constexpr std::string_view kArms[]{"upper_arm_girth", "elbow_girth", "wrist_girth", "arm_joint_length", "neck_girth"};
 constexpr std::string_view kLegs[]{"thigh_girth", "knee_girth", "calf_girth", "ankle_girth"};
@@ -120,7 +122,11 @@ BodyPanel::BodyPanel(Session& session, QWidget* in) : Panel(session, in) {
             "its paper and settles anew; Undo brings the body back.")));
     mannequin_->setAccessibleDescription(consequence_->text());
   });
-  connect(mannequin_, &QPushButton::clicked, this, [this] { session_.perform(asMeasured()); });
+  connect(mannequin_, &QPushButton::clicked, this, [this] {
+    SetBody own;
+    own.set = asMeasured(mannequinKeys());
+    session_.perform(own);
+  });
   column->addWidget(mannequin_);
   column->addWidget(consequence_);
   follow_ = new QCheckBox;
@@ -163,6 +169,7 @@ BodyPanel::BodyPanel(Session& session, QWidget* in) : Panel(session, in) {
   button(say("Save measures…"), say("All that this figure measures, into a file of one of these."),
          &BodyPanel::askSaveMeasures);
   column->addLayout(files);
+  connect(size_, &QComboBox::activated, this, [this] { sizeMeant_ = true; });
   for (QComboBox* box : {size_, sex_}) connect(box, &QComboBox::activated, this, &BodyPanel::wear);
   connect(use_, &QPushButton::clicked, this, [this] { session_.perform(wished()); });
   connect(replay_, &QPushButton::clicked, this, [this] { emit replayAsked(wished()); });
@@ -253,6 +260,14 @@ SetBody BodyPanel::wished() const {
   body.form = dressForm_->isChecked();
   for (const auto& [key, row] : rows_)
     if (const auto metres = row->stated()) body.set.push_back({key, {*metres}, row->formula()});
+  // The size that a board without a figure offers was not chosen: what is typed there is a person's own.
+  if (!session_.figure() && !sizeMeant_ && !body.set.empty()) body.size.clear();
+  // Without a size the figure that stands goes on, as far as its own measures make it.
+  if (body.size.empty() && body.set.empty() && session_.snapshot().body) {
+    constexpr double kMillimetre = 1e-3;
+    body.set = asMeasured(kOwn);
+    for (Stated& own : body.set) own.value.metres = std::round(own.value.metres / kMillimetre) * kMillimetre;
+  }
   return body;
 }
 
@@ -261,13 +276,14 @@ bool BodyPanel::imported() const {
   return now && !now->mesh.empty();
 }
 
-SetBody BodyPanel::asMeasured() const {
-  SetBody body;
+// Of these measures the figure's own.
+std::vector<Stated> BodyPanel::asMeasured(std::span<const std::string_view> keys) const {
+  std::vector<Stated> all;
   const auto& measured = session_.snapshot().body->measured().value;
-  for (const std::string_view key : mannequinKeys())
+  for (const std::string_view key : keys)
     if (const auto at = measured.find(std::string(key)); at != measured.end() && !isAngle(at->first))
-      body.set.push_back({at->first, {at->second}});
-  return body;
+      all.push_back({at->first, {at->second}});
+  return all;
 }
 
 // A garment is made again for the figure as it is now; where there is no figure yet, the button asks for one.

@@ -105,13 +105,14 @@ class BodyPanel : public Panel {
   void drawTape(const std::string& key);
   void askMeasures();
   void askSaveMeasures();
-  SetBody asMeasured() const;  // the mannequin with the measures taken from the imported body
+  std::vector<Stated> asMeasured(std::span<const std::string_view> keys) const;  // of the figure that stands
   bool imported() const;
   void fillMeasured();
   QFormLayout* form_;
   QLabel *imported_, *consequence_;
   QPushButton* mannequin_;
   QComboBox* size_;
+  bool sizeMeant_ = false;  // chosen, and not only what a board without a figure offers
   QComboBox* sex_;
   void wear();
   void fill();  // with the figure as it was chosen

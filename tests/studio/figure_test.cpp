@@ -1,6 +1,7 @@
 // The board of the figure in the real window: turned, let go, taken back.
 #include <gmock/gmock.h>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
@@ -24,6 +25,35 @@ QSlider* sliderOf(Window& w, const char* name) {
   for (QSlider* one : w.main().findChildren<QSlider*>())
     if (one->accessibleName() == name) return one;
   return nullptr;
+}
+
+// A board without a figure offers a size; who types measures there means their own.
+TEST(StudioFigure, IsMadeOfWhatWasTypedAndGoesOnWithoutItsSize) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.main().boards().setCurrentIndex(1);
+  w.rest();
+  QLineEdit* height = w.box("Body height").findChild<QLineEdit*>();
+  height->setFocus();
+  height->selectAll();
+  QTest::keyClicks(height, "165");
+  QTest::keyClick(height, Qt::Key_Return);
+  w.rest();
+  ASSERT_EQ(w.count(), 1u) << w.main().said().toStdString();
+  EXPECT_EQ(w.last().find("size="), std::string::npos) << w.last();
+  w.session().perform(*parseOperation("body size=eu42"));
+  w.rest();
+  const auto hip = [&] { return w.session().snapshot().body->measured().value.at("hip_girth"); };
+  const double before = hip();
+  QComboBox* sizes = nullptr;
+  for (QComboBox* box : w.main().findChildren<QComboBox*>())
+    if (box->itemText(0) == "by measurements only") sizes = box;
+  ASSERT_TRUE(sizes);
+  sizes->setCurrentIndex(0);
+  emit sizes->activated(0);
+  w.rest();
+  EXPECT_EQ(w.last().find("size="), std::string::npos) << w.last() << " " << w.main().said().toStdString();
+  EXPECT_NEAR(hip(), before, 0.005);
 }
 
 TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {

@@ -37,7 +37,7 @@ std::string plainSigns(std::string_view text) {
       }
     if (found) continue;
     constexpr std::size_t kWide = 3;  // bytes of a character of full width
-    const std::string one = halfWidth(text.substr(0, kWide));
+    const std::string one = text.size() >= kWide ? halfWidth(text.substr(0, kWide)) : std::string();
     if (one.size() == 1 && !named && (digit(one[0]) || (counted && letter(one[0])))) {
       out += one, text.remove_prefix(kWide), counted = true;
       continue;
