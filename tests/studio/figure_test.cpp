@@ -33,11 +33,7 @@ TEST(StudioFigure, IsMadeOfWhatWasTypedAndGoesOnWithoutItsSize) {
   Window w;
   w.main().boards().setCurrentIndex(1);
   w.rest();
-  QLineEdit* height = w.box("Body height").findChild<QLineEdit*>();
-  height->setFocus();
-  height->selectAll();
-  QTest::keyClicks(height, "165");
-  QTest::keyClick(height, Qt::Key_Return);
+  w.type(w.box("Body height"), "165");
   w.rest();
   ASSERT_EQ(w.count(), 1u) << w.main().said().toStdString();
   EXPECT_EQ(w.last().find("size="), std::string::npos) << w.last();
