@@ -49,6 +49,29 @@ TEST(CutDarts, OfASkirtMakeAYokeInOnePiece) {
   EXPECT_NEAR(area, whole, 1e-6);
 }
 
+// Also where the part between the darts is a small one, what is advised first leaves the second as it is told.
+TEST(CutDarts, AdviceHoldsOneAfterTheOther) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(
+      file,
+      "piece name=skirt outline=\"M 0 0; hem L 500 0; side_left L 480 600; waist L 20 600; side_right L 0 0\"\n"
+      "dart edge=skirt.waist at=0.58 width=30mm tip=220mm,480mm symmetric=no\n"
+      "dart edge=skirt.waist at=0.3 width=30mm tip=290mm,480mm symmetric=no\n"));
+  std::vector<Operation> mends;
+  room.context.advise = [&](const Advice& advice) {
+    if (advice.mend) mends.push_back(*advice.mend);
+  };
+  ASSERT_TRUE(room.play(file, "cut piece=skirt line=\"-10mm,530mm; 510mm,530mm\"\n"));
+  ASSERT_EQ(mends.size(), 2u);
+  const std::vector<Operation> told = mends;
+  for (const Operation& mend : told) {
+    const auto done = room.play(file, text(mend) + "\n");
+    EXPECT_TRUE(done) << text(mend) << ": " << text(done.error().what);
+  }
+  EXPECT_EQ(file.document().pattern.pieces.size(), 2u);
+}
+
 TEST(CutDarts, WithTwoPointsAtTheWaistGiveEachHalfItsOwn) {
   Workroom room;
   DocumentFile file = DocumentFile::inMemory();

@@ -41,6 +41,12 @@ std::vector<EdgeRef> named(const Document& document, std::vector<EdgeRef> edges)
 // can be made one: that is offered.
 void divideDarts(const Document& before, Document& after, const std::vector<CutDart>& darts, const Context& context) {
   std::uint32_t made = 0;
+  std::map<PieceId, int> beside;  // how many of the darts a part lies beside
+  for (const CutDart& dart : darts)
+    for (const Seam& part : dividedDart(after.pattern.seams.at(dart.seam), dart.turned))
+      if (part.a.front().piece != part.b.front().piece) ++beside[part.a.front().piece], ++beside[part.b.front().piece];
+  // The part between two darts stays, so that the advice about the second still names what is there; else the larger.
+  const auto rank = [&](const Piece& piece) { return std::pair(beside[piece.id], piece.outline.area()); };
   for (const CutDart& dart : darts) {
     const double whole = length(after.pattern, after.pattern.seams.at(dart.seam).a);
     std::vector<Seam> parts = dividedDart(after.pattern.seams.at(dart.seam), dart.turned);
@@ -51,9 +57,9 @@ void divideDarts(const Document& before, Document& after, const std::vector<CutD
       if (ease != before.eases.end()) after.eases[part.id] = ease->second * length(after.pattern, part.a) / whole;
       const Piece &a = *after.find(part.a.front().piece), &b = *after.find(part.b.front().piece);
       if (context.advise && a.id != b.id) {
-        MergePieces merge;  // the larger keeps its grain
+        MergePieces merge;
         merge.a = named(after, refsOf(part.a)), merge.b = named(after, refsOf(part.b));
-        if (a.outline.area() < b.outline.area()) std::swap(merge.a, merge.b);
+        if (rank(a) < rank(b)) std::swap(merge.a, merge.b);
         Advice advice{say("“{0}” and “{1}” are sewn along the dart; merged, they are one piece with the dart closed.",
                           a.name, b.name)};
         advice.piece = a.id, advice.edge = part.a.front().edge;
