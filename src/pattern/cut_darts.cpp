@@ -118,7 +118,8 @@ Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std
                                    [&](const Piece& own) { return contains(own.outline.flattened(1e-6), middle); });
     if (part == all.cut.pieces.end())
       return refused(say("The line does not run over piece {0}; draw it across the cloth.", piece.name));
-    auto stretch = stretchesOver(*part, places, {});
+    // On a part its ends are found anew; on the whole piece that would move them by some bits.
+    auto stretch = s == 0 ? Result<std::vector<Stretch>>({(*stretches)[0]}) : stretchesOver(*part, places, {});
     if (!stretch) return stretch.error();
     auto crossed = doubleDartsAcross(pattern, piece, *part, stretch->front());
     if (!crossed) return crossed.error();

@@ -167,6 +167,26 @@ TEST(CutAcrossDarts, TakesOneOfEachAndASlitBesideThem) {
   expectWhole(after(panel, *slit), areaOf(panel.piece()));
 }
 
+// Where there is no dart a cut is what it always was, to the last bit: recorded garments keep their hashes.
+TEST(CutAcrossDarts, WithoutADartIsAPlainCut) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int k = 0; k < 60; ++k) {
+    const Piece piece = pieceOf(1, randomOutline(random, 0.5));
+    const Pattern pattern = patternOf({piece});
+    const Flat in{0.05 * share(random), 0.05 * share(random)}, out{share(random) - 0.5, share(random) - 0.5};
+    std::vector<Flat> line{out * 3, in};
+    if (k % 2) line.push_back(out * -3);
+    const auto plain = cutPiece(piece, line, {10}, "part_0");
+    const auto across = cutAcrossDarts(pattern, piece, line, fresh);
+    ASSERT_EQ(static_cast<bool>(plain), static_cast<bool>(across));
+    if (!plain) continue;
+    ASSERT_EQ(plain->pieces.size(), across->cut.pieces.size());
+    for (std::size_t i = 0; i < plain->pieces.size(); ++i)
+      EXPECT_EQ(plain->pieces[i].outline, across->cut.pieces[i].outline) << k;
+  }
+}
+
 TEST(CutAcrossDarts, RefusesALineThatEndsInADart) {
   Darted panel;
   panel.dart(0.3, 0.04, 0);
