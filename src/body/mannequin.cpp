@@ -162,9 +162,9 @@ Error unmetSaid(const Unmet& unmet, std::optional<double> limit) {
 Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& token, MannequinEnds ends,
                      Unmet& unmet) {
   if (const Done ok = plausible(wanted); !ok) return ok.error();
-  const auto made = mannequinKeys();
+  const auto keys = mannequinKeys();
   for (const auto& [key, value] : wanted.value) {
-    if (std::find(made.begin(), made.end(), key) == made.end())
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
       return refused(say("A mannequin cannot be made to {0}; it is only measured. Leave it out.", key));
   }
   const SectionModel model = SectionModel::of(wanted.sex);
