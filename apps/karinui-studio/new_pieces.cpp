@@ -156,13 +156,21 @@ SewPatch patchOf(const Document& document, PieceId piece) {
   patch.piece = PieceRef(piece);
   const Piece* own = document.find(piece);
   if (!own || own->outline.edges.size() < 2) return patch;
-  const Edge* upper = nullptr;
-  for (const Edge& edge : own->outline.edges) {
-    const Flat chord = edge.curve.end - edge.curve.start;  // outlines run counter-clockwise
-    if (-chord.u < kUp * length(chord)) continue;
-    if (!upper || edge.curve.atFraction(0.5).v > upper->curve.atFraction(0.5).v) upper = &edge;
-  }
-  if (upper) patch.open = {upper->name};
+  const auto& edges = own->outline.edges;
+  const std::size_t n = edges.size();
+  const auto looksUp = [&](std::size_t k) {
+    const Flat chord = edges[k % n].curve.end - edges[k % n].curve.start;  // outlines run counter-clockwise
+    return -chord.u >= kUp * length(chord);
+  };
+  std::optional<std::size_t> upper;
+  for (std::size_t k = 0; k < n; ++k)
+    if (looksUp(k) && (!upper || edges[k].curve.atFraction(0.5).v > edges[*upper].curve.atFraction(0.5).v)) upper = k;
+  if (!upper) return patch;
+  // A pocket's top may be in several edges. Some edge looks down, so the run has two ends.
+  std::size_t first = *upper + n, last = *upper + n;
+  while (looksUp(first - 1)) --first;
+  while (looksUp(last + 1)) ++last;
+  for (std::size_t k = first; k <= last; ++k) patch.open.push_back(edges[k % n].name);
   return patch;
 }
 

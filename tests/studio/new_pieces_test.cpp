@@ -396,6 +396,13 @@ TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
   EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("patch piece="));
   EXPECT_EQ(w.session().snapshot().document.pattern.seams.rbegin()->second.a.size(), 3u);
+  // A top that dips in the middle is of two edges; the outline begins within it.
+  w.session().perform(
+      *parseOperation("piece name=dipped outline=\"M 50 110; top_left L 0 120; in L 0 0; low L 100 0; out L 100 120; "
+                      "top_right L 50 110\""));
+  w.rest();
+  EXPECT_THAT(patchOf(w.session().snapshot().document, piece(w, "dipped").id).open,
+              testing::ElementsAre("top_right", "top_left"));
 }
 
 // One edge chosen, the right button on the other; the same menu opens them again, and the edge's board tells of them.
