@@ -137,7 +137,9 @@ std::vector<FileFormat> allFormats() {
        .in = Content::Pattern,
        .out = Content::Pattern,
        .label = say("Pattern for GarmentCode (JSON)"),
-       .about = say("Panels and stitches as GarmentCode writes them; inner lines and marks are left out."),
+       .about = say(
+           "Panels and stitches as GarmentCode writes them; inner lines, marks and holes, as those of darts with two "
+           "points, are left out."),
        .readPattern = readGarmentCode,
        .write = [](Source from) { return writeGarmentCode(from.pattern); }},
       {.id = "dxf-aama",
