@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "divide_edges.h"
 #include "karinui/pattern/edit.h"
@@ -87,6 +88,53 @@ std::optional<std::string> edgeOnCopy(const Piece& copy, const Piece& piece, std
   for (std::size_t h = 0; h < piece.holes.size() && h < copy.holes.size(); ++h)
     if (auto name = on(copy.holes[h], piece.holes[h])) return name;
   return std::nullopt;
+}
+
+namespace {
+
+// The names the edges of an outline have on another of the same shape.
+std::optional<std::map<std::string, std::string>> namesOn(const Outline& other, const Outline& outline) {
+  constexpr double kSame = 1e-6;  // metres
+  if (outline.edges.size() != other.edges.size()) return std::nullopt;
+  const auto same = [](const Curve& a, const Curve& b) {
+    return distance(a.start, b.start) <= kSame && distance(a.end, b.end) <= kSame &&
+           distance(a.atFraction(0.5), b.atFraction(0.5)) <= kSame;
+  };
+  std::map<std::string, std::string> names;
+  for (const Edge& edge : outline.edges) {
+    const auto found = std::find_if(other.edges.begin(), other.edges.end(),
+                                    [&](const Edge& one) { return same(one.curve, edge.curve); });
+    if (found == other.edges.end()) return std::nullopt;
+    names[edge.name] = found->name;
+  }
+  return names;
+}
+
+}  // namespace
+
+bool nameLikeImage(Piece& copy, EdgeMap& edges, const Piece& piece) {
+  auto names = namesOn(across(piece.outline), copy.outline);
+  if (!names || copy.holes.size() != piece.holes.size()) return false;
+  for (const Outline& hole : copy.holes) {
+    std::optional<std::map<std::string, std::string>> own;
+    for (std::size_t h = 0; h < piece.holes.size() && !own; ++h) own = namesOn(across(piece.holes[h]), hole);
+    if (!own) return false;
+    names->merge(*own);
+  }
+  const auto rename = [&](std::string& name) {
+    if (const auto found = names->find(name); found != names->end()) name = found->second;
+  };
+  std::set<std::string> told;  // by the map
+  for (auto& [edge, parts] : edges)
+    for (EdgePart& part : parts)
+      if (part.now.piece == copy.id) told.insert(part.now.edge), rename(part.now.edge);
+  for (const auto& [was, now] : *names)
+    if (was != now && !told.contains(was)) edges[{copy.id, was}] = {{0, 1, {copy.id, now, 0, 1}}};
+  for (Edge& edge : copy.outline.edges) rename(edge.name);
+  for (Outline& hole : copy.holes)
+    for (Edge& edge : hole.edges) rename(edge.name);
+  for (Mark& mark : copy.marks) rename(mark.edge);
+  return true;
 }
 
 std::optional<EditedPiece> editedLikewise(const Piece& copy, const Piece& before, const EditedPiece& edit) {

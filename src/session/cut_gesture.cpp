@@ -31,6 +31,7 @@ class CutGesture : public Gesture {
     }
     if (!down_) return {};
     straight_ = sample.shift;
+    alone_ = sample.alt;
     note(sample, hit, context);
     line_ = lineNow(context);
     why_.reset();
@@ -54,12 +55,14 @@ class CutGesture : public Gesture {
     CutPiece cut;
     cut.piece = piece_;
     cut.line = line_;
+    if (!alone_ && !copiesOf(context.snapshot->document, piece_).empty()) cut.copies = Choice::Yes;
     return {.over = true, .operation = std::move(cut)};
   }
 
   Preview preview(const GestureContext& context) const override {
     Preview shown;
     showOnPaper(shown, context, piece_, line_, will_ ? kGood : kBad);
+    if (will_ && !alone_) showOnCopies(shown, context, piece_, line_);
     return shown;
   }
   Message hint() const override {
@@ -140,7 +143,7 @@ class CutGesture : public Gesture {
     return kept;
   }
 
-  bool down_ = false, came_ = false, left_ = false, straight_ = false, will_ = false;
+  bool down_ = false, came_ = false, left_ = false, straight_ = false, alone_ = false, will_ = false;
   std::size_t parts_ = 0;
   PieceId piece_;
   std::vector<Flat> noted_, before_, line_;

@@ -135,4 +135,10 @@ void showOnPaper(Preview& preview, const GestureContext& context, PieceId id, co
   preview.table.lines.push_back(std::move(table));
 }
 
+void showOnCopies(Preview& preview, const GestureContext& context, PieceId piece, std::vector<Flat> line) {
+  for (Flat& p : line) p.u = -p.u;
+  for (const PieceId copy : copiesOf(context.snapshot->document, piece))
+    showOnPaper(preview, context, copy, line, kPartner);
+}
+
 }  // namespace karinui

@@ -78,5 +78,7 @@ std::string easeSaid(const GestureContext& context, double one, double other);
 // A line on a piece's paper, on the table and on the cloth.
 void showOnPaper(Preview& preview, const GestureContext& context, PieceId piece, const std::vector<Flat>& line,
                  const Colour& colour);
+// The mirror image of such a line on the symmetric copies of the piece.
+void showOnCopies(Preview& preview, const GestureContext& context, PieceId piece, std::vector<Flat> line);
 
 }  // namespace karinui

@@ -67,12 +67,7 @@ class LineGesture : public Gesture {
     line.insert(line.end(), stroke_.begin(), stroke_.end());
     if (now_) line.push_back(*now_);
     showOnPaper(shown, context, piece_, line, kChalk);
-    if (!alone_) {
-      std::vector<Flat> image;
-      for (const Flat p : line) image.push_back({-p.u, p.v});
-      for (const PieceId copy : copiesOf(context.snapshot->document, piece_))
-        showOnPaper(shown, context, copy, image, kPartner);
-    }
+    if (!alone_) showOnCopies(shown, context, piece_, line);
     double length = 0;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) length += distance(line[i], line[i + 1]);
     if (length > 0) shown.table.words.push_back({line.back() + context.table->at(piece_), context.said(length)});

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "design/workroom.h"
 
 namespace karinui {
@@ -224,6 +226,102 @@ TEST(Copies, StepsOfOldKeepTheirMeaning) {
       again);
   ASSERT_TRUE(after) << text(after.error().what);
   EXPECT_EQ(after->pieceNamed("front_right")->lines.size(), 1u);
+}
+
+// Each part of a piece is the mirror image of a part of its copy.
+void expectImages(const Pair& pair, const char* piece, const char* copy) {
+  const Piece &own = pair[piece], &other = pair[copy];
+  EXPECT_EQ(other.mirrorOf, own.id) << copy;
+  EXPECT_NEAR(own.outline.area(), other.outline.area(), 1e-12);
+  for (const Flat p : own.outline.flattened(0.01))
+    EXPECT_LT(distanceToRing(other.outline.flattened(1e-6), across(p)), 1e-6) << piece << " " << p.u << " " << p.v;
+}
+
+TEST(Copies, AreCutAndMergedLikewise) {
+  Pair pair;
+  // Both fronts are sewn to the back, and to each other at the centre: seams go over to the parts of both.
+  ASSERT_EQ(pair.play("sew a=front_left.hem b=back.hem name=low\nsew a=front_left.centre b=front_right.centre\n"
+                      "cut piece=front_left line=\"-10mm,150mm; 400mm,200mm\" name=lower_left copies=yes\n"),
+            "");
+  ASSERT_TRUE(pair.file.document().pieceNamed("lower_right"));
+  expectImages(pair, "front_left", "front_right");
+  expectImages(pair, "lower_left", "lower_right");
+  EXPECT_THAT(pair.advice, testing::Not(testing::Contains(HasSubstr("no longer alike"))));
+  // So what is done to one part is still done to the other.
+  ASSERT_EQ(pair.play("line piece=lower_left along=\"5cm,5cm; 15cm,5cm\" name=pocket\n"), "");
+  EXPECT_EQ(pair["lower_right"].lines.size(), 1u);
+  ASSERT_EQ(pair.play("merge a=front_left.cut b=lower_left.cut\n"), "");
+  EXPECT_THAT(pair.last(), HasSubstr("copies=yes"));
+  EXPECT_FALSE(pair.file.document().pieceNamed("lower_right"));
+  expectImages(pair, "front_left", "front_right");
+  EXPECT_NEAR(pair["front_right"].outline.area(), pair["back"].outline.area(), 0.02);
+  EXPECT_EQ(pair["front_right"].lines.size(), 1u);
+  const Document whole = pair.file.document();
+  for (int k = 0; k < 3; ++k) ASSERT_TRUE(pair.file.undo(pair.room.context));
+  EXPECT_FALSE(pair.file.document().pieceNamed("lower_right"));
+  for (int k = 0; k < 3; ++k) ASSERT_TRUE(pair.file.redo(pair.room.context));
+  EXPECT_EQ(hash(pair.file.document()), hash(whole));
+}
+
+// A sleeve cut into halves of the same size: each keeps its own side.
+TEST(Copies, AreCutIntoHalvesLikewise) {
+  Pair pair;
+  ASSERT_EQ(pair.play("cut piece=cuff_left line=\"110mm,-10mm; 110mm,80mm\" name=half copies=yes\n"), "");
+  expectImages(pair, "cuff_left", "cuff_right");
+  expectImages(pair, "half", "half_mirrored");
+}
+
+TEST(Copies, AreLeftAloneByACutThatDoesNotNameThem) {
+  Pair pair;
+  ASSERT_EQ(pair.play("cut piece=front_left line=\"-10mm,150mm; 400mm,150mm\" name=upper\n"), "");
+  EXPECT_FALSE(pair.file.document().pieceNamed("upper_mirrored"));
+  EXPECT_THAT(pair.advice, testing::Contains(HasSubstr("no longer alike")));
+  EXPECT_THAT(pair.play("cut piece=back line=\"-10mm,150mm; 400mm,150mm\" copies=yes\n"),
+              HasSubstr("has no symmetric copy"));
+  EXPECT_THAT(pair.play("merge a=front_left.cut b=upper.cut copies=yes\n"), HasSubstr("have no symmetric copies"));
+}
+
+// Across a dart: both halves of the yoke are merged by the one step that is advised.
+TEST(Copies, GetTheirYokesInOneStep) {
+  Pair pair("dart edge=front_left.hem at=0.5 tip=150mm,120mm width=3cm\n");
+  std::vector<Operation> mends;
+  pair.room.context.advise = [&](const Advice& told) {
+    if (told.mend) mends.push_back(*told.mend);
+  };
+  ASSERT_EQ(pair.play("cut piece=front_left line=\"-10mm,50mm; 400mm,70mm\" name=yoke_left copies=yes\n"), "");
+  EXPECT_EQ(pair.file.document().pattern.pieces.size(), 9u);
+  ASSERT_EQ(mends.size(), 1u);
+  ASSERT_EQ(pair.play(text(mends.front()) + "\n"), "");
+  EXPECT_EQ(pair.file.document().pattern.pieces.size(), 7u);
+  expectImages(pair, "front_left", "front_right");
+  expectImages(pair, "yoke_left", "yoke_right");
+}
+
+// Cuts at random: parts stay images of each other, and undone nothing is left.
+TEST(Copies, AreCutLikewiseWhereverTheCutRuns) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0, 1);
+  int done = 0;
+  for (int round = 0; round < 40; ++round) {
+    Pair pair("dart edge=front_left.hem at=0.5 tip=150mm,120mm width=3cm\n");
+    CutPiece cut;
+    cut.piece = PieceRef(pair["front_left"].id);
+    const double low = 0.02 + 0.4 * share(random), high = 0.02 + 0.4 * share(random);
+    cut.line = {{-0.02, low}, {0.4, high}};
+    if (round % 2) cut.line = {{0.02 + 0.25 * share(random), -0.02}, {0.02 + 0.25 * share(random), 0.6}};
+    cut.name = "part_left", cut.copies = Choice::Yes;
+    const std::string said = pair.play(text(Operation(cut)) + "\n");
+    if (!said.empty()) continue;  // as through the very point of the dart
+    ++done;
+    std::size_t pairs = 0;
+    for (const auto& [id, piece] : pair.file.document().pattern.pieces)
+      if (const Piece* own = pair.file.document().find(piece->mirrorOf)) {
+        ++pairs;
+        expectImages(pair, own->name.c_str(), piece->name.c_str());
+      }
+    EXPECT_EQ(pairs * 2, pair.file.document().pattern.pieces.size() - 1) << text(Operation(cut));
+  }
+  EXPECT_GT(done, 30);
 }
 
 }  // namespace

@@ -88,6 +88,32 @@ TEST(StudioTools, CutsOnTheTable) {
   EXPECT_GE(w.count(), before + 1) << w.main().said().toStdString();
 }
 
+// The image of the line is shown on the symmetric copy, which is cut with the piece, and with Alt it is not.
+TEST(StudioTools, CutsTheSymmetricCopyToo) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().perform(*parseOperation(
+      "piece name=front_left outline=\"M 0 0; hem L 300 0; side L 300 400; top L 0 400; centre L 0 0\""));
+  w.session().perform(*parseOperation("mirror piece=front_left"));
+  w.rest();
+  const std::size_t before = w.count();
+  const std::vector<QPointF> across{w.onTable("front_left", {-0.03, 0.2}), w.onTable("front_left", {0.33, 0.2})};
+  w.key(Command::Cut);
+  std::size_t lines = 0, alone = 0;
+  w.drag(w.table(), across, Qt::AltModifier, [&] { alone = w.session().preview().table.lines.size(); });
+  w.rest();
+  EXPECT_EQ(w.session().snapshot().document.pattern.pieces.size(), 3u);
+  EXPECT_THAT(w.last(), testing::Not(HasSubstr("copies")));
+  w.key(Command::Undo);
+  w.rest();
+  ASSERT_EQ(w.count(), before);
+  w.drag(w.table(), across, {}, [&] { lines = w.session().preview().table.lines.size(); });
+  w.rest();
+  EXPECT_EQ(lines, alone + 1);
+  EXPECT_EQ(w.session().snapshot().document.pattern.pieces.size(), 4u) << w.main().said().toStdString();
+  EXPECT_TRUE(w.session().snapshot().document.pieceNamed("front_right_2"));
+}
+
 TEST(StudioTools, SaysWhyACutIsRefused) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

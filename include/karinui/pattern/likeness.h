@@ -4,11 +4,16 @@
 #include <string>
 #include <string_view>
 
+#include "karinui/pattern/edit.h"
 #include "karinui/pattern/piece.h"
 
 namespace karinui {
 
 // What an edge of the piece, or of a hole of it, is called on the copy; nothing if the copy went its own way since.
 std::optional<std::string> edgeOnCopy(const Piece& copy, const Piece& piece, std::string_view edge);
+
+// Where the outline and the holes of `copy` are the mirror image of the piece's, its edges get the names that
+// mirrored() would give them, in `edges`, by which they came to be, too. False: they are not, and nothing is changed.
+bool nameLikeImage(Piece& copy, EdgeMap& edges, const Piece& piece);
 
 }  // namespace karinui

@@ -4,6 +4,7 @@
 #include "design/operations/sewn_runs.h"
 #include "karinui/pattern/edit.h"
 #include "karinui/pattern/elastic_lines.h"
+#include "karinui/pattern/likeness.h"
 #include "karinui/pattern/pleats.h"
 
 namespace karinui {
@@ -11,6 +12,10 @@ namespace karinui {
 namespace {
 
 constexpr std::size_t kMostPlaces = 10000;
+
+struct Minted {
+  std::uint32_t pieces = 0, seams = 0;
+};
 
 // Pins stay in the cloth they are in: those beyond the cut go over to the piece that has it.
 void sharePins(Document& document, const std::vector<Piece>& parts) {
@@ -39,8 +44,8 @@ std::vector<EdgeRef> named(const Document& document, std::vector<EdgeRef> edges)
 
 // A dart that was cut across has a seam for each part. Where the cut went through its mouth's side, the parts beside it
 // can be made one: that is offered.
-void divideDarts(const Document& before, Document& after, const std::vector<CutDart>& darts, const Context& context) {
-  std::uint32_t made = 0;
+void divideDarts(const Document& before, Document& after, const std::vector<CutDart>& darts, Minted& minted,
+                 const Context& context) {
   std::map<PieceId, int> beside;  // how many of the darts a part lies beside
   for (const CutDart& dart : darts)
     for (const Seam& part : dividedDart(after.pattern.seams.at(dart.seam), dart.turned))
@@ -53,7 +58,7 @@ void divideDarts(const Document& before, Document& after, const std::vector<CutD
     const auto ease = before.eases.find(dart.seam);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       Seam& part = parts[k];
-      if (k > 0) part.id = mint<SeamId>(before, made++), part.name.clear();
+      if (k > 0) part.id = mint<SeamId>(before, minted.seams++), part.name.clear();
       if (ease != before.eases.end()) after.eases[part.id] = ease->second * length(after.pattern, part.a) / whole;
       const Piece &a = *after.find(part.a.front().piece), &b = *after.find(part.b.front().piece);
       if (context.advise && a.id != b.id) {
@@ -71,46 +76,63 @@ void divideDarts(const Document& before, Document& after, const std::vector<CutD
   }
 }
 
-}  // namespace
+// What a piece falls into; the first part keeps its id.
+struct Cut {
+  Document after;
+  std::vector<PieceId> parts;
+};
 
-Done resolve(const Document& before, CutPiece& op, Context&) {
-  if (Done done = resolve(before, op.piece); !done) return done;
-  if (op.line.size() < 2) return refused(say("A cut needs a line of at least two places."));
-  if (op.line.size() > kMostPlaces) return refused(say("The line of a cut has more than {0} places.", kMostPlaces));
-  for (const Flat place : op.line)
-    if (!(length(place) <= 1000)) return refused(say("The line of the cut leaves the table."));
-  if (op.name.empty()) {
-    op.name = usableName(before, before.find(op.piece.id)->name);
-    return {};
-  }
-  return checkNewName(before, op.name);
+// Names the edges of each part as those of the part of which it is the image, and has the parts in the same order; of
+// parts of one size either may have come first.
+void arrangeLike(CutPieces& cut, const std::vector<const Piece*>& likewise) {
+  std::map<PieceId, PieceId> places;  // of which part each takes the place
+  for (Piece& part : cut.pieces)
+    for (std::size_t k = 0; k < likewise.size() && k < cut.pieces.size(); ++k)
+      if (nameLikeImage(part, cut.edges, *likewise[k])) {
+        places[part.id] = cut.pieces[k].id;
+        break;
+      }
+  std::map<PieceId, std::string> names;
+  for (const Piece& part : cut.pieces) names[part.id] = part.name;
+  std::set<PieceId> taken;
+  for (const auto& [part, place] : places) taken.insert(place);
+  if (taken.size() != cut.pieces.size()) return;
+  for (Piece& part : cut.pieces) part.id = places.at(part.id), part.name = names.at(part.id);
+  for (auto& [edge, parts] : cut.edges)
+    for (EdgePart& part : parts)
+      if (const auto place = places.find(part.now.piece); place != places.end()) part.now.piece = place->second;
+  std::sort(cut.pieces.begin(), cut.pieces.end(), [&](const Piece& a, const Piece& b) { return a.id < b.id; });
 }
 
-Result<Document> perform(const Document& before, const CutPiece& op, Context& context) {
+// `likewise`: the parts of the piece of which this is the symmetric copy.
+Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<const Piece*>& likewise, Minted& minted,
+                  const Context& context) {
   const Piece& whole = *before.find(op.piece.id);
   std::set<std::string> names;
   for (const auto& [id, piece] : before.pattern.pieces) names.insert(piece->name);
   const auto newPart = [&](std::size_t k) {
     std::string name = op.name;
     for (int n = 2; !names.insert(name).second; ++n) name = op.name + "_" + std::to_string(n);
-    return NewPart{mint<PieceId>(before, static_cast<std::uint32_t>(k)), name};
+    return NewPart{mint<PieceId>(before, minted.pieces + static_cast<std::uint32_t>(k)), name};
   };
   auto across = cutAcrossDarts(before.pattern, whole, op.line, newPart,
                                linesOfLattice(withElasticLines(before.pattern, before.allowances), whole));
   if (!across) return across.error();
   CutPieces& cut = across->cut;
+  minted.pieces += static_cast<std::uint32_t>(cut.pieces.size()) - 1;
   if (cut.pieces.size() > 2) {  // of the parts the largest is called as was asked
     const auto largest = std::max_element(cut.pieces.begin() + 1, cut.pieces.end(), [](const Piece& a, const Piece& b) {
       return a.outline.area() < b.outline.area();
     });
     std::swap(cut.pieces[1].name, largest->name);
   }
-  tellUnlike(before, whole, context);
+  arrangeLike(cut, likewise);
   Document after = before;
   updateSeams(after.pattern, cut.edges);
   if (cut.pieces.size() > 1) sharePins(after, cut.pieces);
   std::vector<const Piece*> parts;
-  for (const Piece& piece : cut.pieces) parts.push_back(&piece);
+  std::vector<PieceId> ids;
+  for (const Piece& piece : cut.pieces) parts.push_back(&piece), ids.push_back(piece.id);
   updateGrading(after.grading, whole, cut.edges, parts);
   const bool own = before.looks.pieces.contains(whole.id) || before.looks.pieces.contains(whole.mirrorOf);
   for (Piece& piece : cut.pieces) {
@@ -120,8 +142,54 @@ Result<Document> perform(const Document& before, const CutPiece& op, Context& co
     piece.mirrorOf = PieceId();  // no longer the other's likeness
     after = withPiece(std::move(after), std::move(piece));
   }
-  divideDarts(before, after, across->darts, context);
+  divideDarts(before, after, across->darts, minted, context);
   updateAllowances(after.allowances, cut.edges, after.pattern);
+  return Cut{std::move(after), std::move(ids)};
+}
+
+}  // namespace
+
+Done resolve(const Document& before, CutPiece& op, Context& context) {
+  if (Done done = resolve(before, op.piece); !done) return done;
+  if (op.line.size() < 2) return refused(say("A cut needs a line of at least two places."));
+  if (op.line.size() > kMostPlaces) return refused(say("The line of a cut has more than {0} places.", kMostPlaces));
+  for (const Flat place : op.line)
+    if (!(length(place) <= 1000)) return refused(say("The line of the cut leaves the table."));
+  if (op.copies != Choice::Auto)
+    if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
+  if (op.name.empty()) {
+    op.name = usableName(before, before.find(op.piece.id)->name);
+    return {};
+  }
+  return checkNewName(before, op.name);
+}
+
+Result<Document> perform(const Document& before, const CutPiece& op, Context& context) {
+  const Piece& whole = *before.find(op.piece.id);
+  Minted minted;
+  auto cut = cutIn(before, op, {}, minted, context);
+  if (!cut) return cut.error();
+  const std::vector<PieceId> copies = copiesMeant(before, whole.id, op.copies);
+  if (copies.empty()) tellUnlike(before, whole, context);
+  Document after = std::move(cut->after);
+  Context silent = context;
+  silent.advise = {};
+  std::vector<const Piece*> own;
+  const Pattern pattern = after.pattern;  // keeps them
+  for (const PieceId part : cut->parts) own.push_back(pattern.pieces.at(part).get());
+  for (const PieceId id : copies) {
+    CutPiece likewise = op;
+    likewise.piece.id = id;
+    likewise.name = nameOfCopy(after, op.name);
+    for (Flat& place : likewise.line) place.u = -place.u;
+    auto other = cutIn(after, likewise, own, minted, silent);
+    if (!other) return other.error();
+    after = std::move(other->after);
+    const bool copied = before.find(id)->mirrorOf == whole.id;
+    for (const PieceId part : cut->parts)
+      for (const PieceId image : other->parts)
+        after = copied ? withLikeness(std::move(after), part, image) : withLikeness(std::move(after), image, part);
+  }
   return after;
 }
 

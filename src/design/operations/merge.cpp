@@ -6,6 +6,7 @@
 #include "design/operations/new_piece.h"
 #include "design/operations/seam_parts.h"
 #include "design/spoken.h"
+#include "karinui/pattern/likeness.h"
 
 namespace karinui {
 
@@ -109,7 +110,7 @@ std::shared_ptr<const Form> mergedForm(const Document& before, const MergePieces
 void tellMerged(const Document& before, const MergePieces& op, const PaperMove& move, const Context& context) {
   if (!context.advise) return;
   const Piece &a = *before.find(op.a.front().piece.id), &b = *before.find(op.b.front().piece.id);
-  tellUnlike(before, a, context);
+  if (op.copies != Choice::Yes) tellUnlike(before, a, context);
   if (a.fabric != b.fabric)
     context.advise({say("“{0}” was of {1}; all of the piece is cut from {2} now.", b.name, b.fabric, a.fabric)});
   const Flat grain = Curve::line({}, b.grain).rotated({}, move.radians).end;
@@ -119,9 +120,7 @@ void tellMerged(const Document& before, const MergePieces& op, const PaperMove& 
                         fixed(degrees, 0), a.name)});
 }
 
-}  // namespace
-
-Done resolve(const Document& before, MergePieces& op, Context& context) {
+Done resolveRuns(const Document& before, MergePieces& op, const Context& context) {
   for (auto* run : {&op.a, &op.b}) {
     if (run->empty()) return refused(say("Pieces are merged along an edge of each; say both: a=… b=…."));
     for (EdgeRef& edge : *run) {
@@ -158,16 +157,40 @@ Done resolve(const Document& before, MergePieces& op, Context& context) {
   return {};
 }
 
-Result<Document> perform(const Document& before, const MergePieces& op, Context& context) {
+// The same along the images of both runs, on copies that are each other's neighbours as their pieces are.
+std::vector<MergePieces> onCopies(const Document& document, const MergePieces& op, const Context& context) {
+  const Piece &a = *document.find(op.a.front().piece.id), &b = *document.find(op.b.front().piece.id);
+  const auto image = [](std::vector<EdgeRef>& run, const Piece& copy, const Piece& piece) {
+    for (EdgeRef& edge : run) edge.piece = copy.id, edge.edge = *edgeOnCopy(copy, piece, edge.edge);
+    std::reverse(run.begin(), run.end());
+  };
+  std::vector<MergePieces> all;
+  std::set<PieceId> used{a.id, b.id};
+  for (const PieceId mine : likenesses(document, a.id))
+    for (const PieceId other : likenesses(document, b.id)) {
+      if (mine == other || used.contains(mine) || used.contains(other)) continue;
+      MergePieces likewise = op;
+      image(likewise.a, *document.find(mine), a), image(likewise.b, *document.find(other), b);
+      if (!resolveRuns(document, likewise, context)) continue;
+      used.insert(mine), used.insert(other);
+      all.push_back(std::move(likewise));
+    }
+  return all;
+}
+
+// `likewise`: the merged piece of which this becomes the symmetric copy, if it is to be one.
+Result<Document> mergeIn(const Document& before, const MergePieces& op, const Piece* likewise, std::uint32_t& minted,
+                         const Context& context) {
   const PieceId a = op.a.front().piece.id, b = op.b.front().piece.id;
   auto merged = mergePieces(*before.find(a), namesOf(op.a), *before.find(b), namesOf(op.b));
   if (!merged) return merged.error();
+  if (likewise) nameLikeImage(merged->piece, merged->edges, *likewise);
   tellMerged(before, op, merged->move, context);
   Document after = before;
   const OnSpan gone = [&](const EdgeSpan& span) { return on(op.a)(span) || on(op.b)(span); };
   for (const auto& [id, seam] : before.pattern.seams)
     if (touches(seam, gone)) after.pattern.seams.erase(id);
-  keepParts(before, after, gone);
+  keepParts(before, after, gone, minted);
   updateSeams(after.pattern, merged->edges);
   merged->piece.form = mergedForm(before, op, merged->move);
   merged->piece.mirrorOf = PieceId();
@@ -187,6 +210,40 @@ Result<Document> perform(const Document& before, const MergePieces& op, Context&
     shared = std::make_shared<const Piece>(std::move(piece));
   }
   if (Done done = gradeMerged(before, after, op); !done) return done.error();
+  return after;
+}
+
+}  // namespace
+
+Done resolve(const Document& before, MergePieces& op, Context& context) {
+  if (Done done = resolveRuns(before, op, context); !done) return done;
+  if (op.copies == Choice::Auto && context.recorded) return {};
+  const bool some = !onCopies(before, op, context).empty();
+  if (!some && op.copies == Choice::Yes && !context.recorded && !context.byFormula)
+    return refused(
+        say("“{0}” and “{1}” have no symmetric copies that are like them and meet as they do; leave copies= "
+            "away.",
+            before.find(op.a.front().piece.id)->name, before.find(op.b.front().piece.id)->name));
+  if (!some && op.copies == Choice::No) op.copies = Choice::Auto;  // nothing is to be decided
+  if (some && op.copies == Choice::Auto) op.copies = Choice::Yes;
+  return {};
+}
+
+Result<Document> perform(const Document& before, const MergePieces& op, Context& context) {
+  std::uint32_t minted = 0;
+  auto after = mergeIn(before, op, nullptr, minted, context);
+  if (!after || op.copies != Choice::Yes) return after;
+  Context silent = context;
+  silent.advise = {};
+  const PieceId whole = op.a.front().piece.id;
+  for (const MergePieces& likewise : onCopies(before, op, context)) {
+    const auto own = after->pattern.pieces.at(whole);
+    after = mergeIn(*after, likewise, own.get(), minted, silent);
+    if (!after) return after;
+    const PieceId copy = likewise.a.front().piece.id;
+    const bool copied = before.find(copy)->mirrorOf == whole;
+    after = copied ? withLikeness(*std::move(after), whole, copy) : withLikeness(*std::move(after), copy, whole);
+  }
   return after;
 }
 

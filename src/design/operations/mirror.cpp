@@ -5,11 +5,7 @@ namespace karinui {
 Done resolve(const Document& before, MirrorPiece& op, Context& context) {
   if (Done done = resolve(before, op.piece); !done) return done;
   decideSeamsWithin(before, op.piece.id, op.seams, context);
-  if (op.name.empty()) {
-    const std::string& own = before.find(op.piece.id)->name;
-    const std::string other = otherSide(own);
-    op.name = usableName(before, other == own ? own + "_mirrored" : other);
-  }
+  if (op.name.empty()) op.name = nameOfCopy(before, before.find(op.piece.id)->name);
   return checkNewName(before, op.name);
 }
 

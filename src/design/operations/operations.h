@@ -108,6 +108,11 @@ std::vector<PieceId> likenesses(const Document& document, PieceId id);
 Done resolveCopies(const Document& before, const std::vector<PieceRef>& pieces, Choice& copies, const Context& context);
 // The copies that an operation so decided is about.
 std::vector<PieceId> copiesMeant(const Document& document, PieceId piece, Choice copies);
+// What the symmetric copy of a piece is called.
+std::string nameOfCopy(const Document& document, const std::string& name);
+// The two are each other's symmetric copies from now on, the first being the one that is copied; not where they are not
+// each other's likeness.
+Document withLikeness(Document document, PieceId piece, PieceId copy);
 // Tells the sewn edges that became longer or shorter than what they are sewn to.
 void tellSeams(const Document& before, const Document& after, const Context& context);
 // Tells the sewn edges, not gathered, that no longer fit what they are sewn to: off by a tenth or 5 mm more than

@@ -44,7 +44,8 @@ Result<Document> perform(const Document& before, const RemovePieces& op, Context
   };
   takeOut(before.pattern.seams, after.pattern.seams);
   takeOut(before.allowances.fastenings, after.allowances.fastenings);
-  if (op.seams == Choice::Yes) keepParts(before, after, on(gone));
+  std::uint32_t minted = 0;
+  if (op.seams == Choice::Yes) keepParts(before, after, on(gone), minted);
   updateAllowances(after.allowances, {}, after.pattern);
   for (const PieceId id : gone) after.drape.dirty.erase(id);
   for (auto& [id, shared] : after.pattern.pieces) {

@@ -82,14 +82,13 @@ std::vector<SeamPart> partsWithout(const Pattern& pattern, const Seam& seam, con
   return parts;
 }
 
-void keepParts(const Document& before, Document& after, const OnSpan& gone) {
-  std::uint32_t made = 0;
+void keepParts(const Document& before, Document& after, const OnSpan& gone, std::uint32_t& minted) {
   for (const auto& [id, seam] : before.pattern.seams) {
     if (!touches(seam, gone)) continue;
     const auto ease = before.eases.find(id);
     bool first = true;
     for (SeamPart& part : partsWithout(before.pattern, seam, gone)) {
-      if (!first) part.seam.id = mint<SeamId>(before, made++), part.seam.name.clear();
+      if (!first) part.seam.id = mint<SeamId>(before, minted++), part.seam.name.clear();
       if (ease != before.eases.end()) after.eases[part.seam.id] = ease->second * part.share;
       after.pattern.seams[part.seam.id] = std::move(part.seam);
       first = false;

@@ -23,7 +23,7 @@ struct SeamPart {
 std::vector<SeamPart> partsWithout(const Pattern& pattern, const Seam& seam, const OnSpan& gone);
 
 // Puts into `after` what stays of the seams that touch what is gone: the first part keeps the seam's id and name,
-// others get new ones; a declared ease is shared out. Mints seam ids from the first on.
-void keepParts(const Document& before, Document& after, const OnSpan& gone);
+// others get new ones, `minted` counting them; a declared ease is shared out.
+void keepParts(const Document& before, Document& after, const OnSpan& gone, std::uint32_t& minted);
 
 }  // namespace karinui

@@ -144,6 +144,20 @@ std::vector<PieceId> copiesMeant(const Document& document, PieceId piece, Choice
   return copies == Choice::Yes ? likenesses(document, piece) : std::vector<PieceId>();
 }
 
+std::string nameOfCopy(const Document& document, const std::string& name) {
+  const std::string other = otherSide(name);
+  return usableName(document, other == name ? name + "_mirrored" : other);
+}
+
+Document withLikeness(Document document, PieceId piece, PieceId copy) {
+  const Piece &own = *document.find(piece), &other = *document.find(copy);
+  if (!edgeOnCopy(other, own, own.outline.edges.front().name)) return document;
+  auto like = std::make_shared<Piece>(other);
+  like->mirrorOf = piece;
+  document.pattern.pieces[copy] = std::move(like);
+  return document;
+}
+
 Done resolveWhole(const Document& before, std::vector<EdgeRef>& edges, Choice symmetric, Context& context) {
   if (edges.empty()) return refused(say("Say which edges are meant."));
   for (EdgeRef& edge : edges) {

@@ -23,11 +23,14 @@ struct CutPiece {
   PieceRef piece;
   std::vector<Flat> line;
   std::string name;
+  Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to cut", kNeeded);
     visit("line", self.line, "places on the paper, beginning or ending on or beyond the outline", kNeeded);
     visit("name", self.name, "the second piece's name, if it falls in two; of more the largest is called so",
+          kOptional);
+    visit("copies", self.copies, "the symmetric copy too, along the image of the line: auto, yes, no (auto: no)",
           kOptional);
   }
   bool operator==(const CutPiece&) const = default;
@@ -172,10 +175,13 @@ struct MergePieces {
       "side.";
   static constexpr bool kDisturbsDrape = true;
   std::vector<EdgeRef> a, b;
+  Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("a", self.a, "the edge, or the run of edges, of the piece that stays where it lies", kNeeded);
     visit("b", self.b, "that of the piece that is laid against it and becomes a part of it", kNeeded);
+    visit("copies", self.copies,
+          "the symmetric copies of both, too, to each other: auto, yes, no (auto: if they are still alike)", kOptional);
   }
   bool operator==(const MergePieces&) const = default;
 };
