@@ -299,7 +299,10 @@ Document laidOver(Document document, const Fastening& own, bool fresh) {
     if (fresh && hasCloth(own.kind)) piece.layer = std::max(piece.layer, std::min(under + 1, 20));
     document = withPiece(std::move(document), std::move(piece));
   }
-  for (const PieceId id : touched) document = withPiece(std::move(document), *document.find(id));
+  for (const PieceId id : touched) {
+    Piece piece = *document.find(id);
+    document = withPiece(std::move(document), std::move(piece));
+  }
   return document;
 }
 

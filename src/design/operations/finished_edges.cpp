@@ -145,7 +145,10 @@ Document withOneCurveEach(Document document, const std::set<Allowances::At>& edg
 Document disturbed(Document document, const std::set<Allowances::At>& edges) {
   std::set<PieceId> pieces;
   for (const auto& [piece, name] : edges) pieces.insert(piece);
-  for (const PieceId piece : pieces) document = withPiece(std::move(document), *document.find(piece));
+  for (const PieceId id : pieces) {
+    Piece piece = *document.find(id);
+    document = withPiece(std::move(document), std::move(piece));
+  }
   return document;
 }
 
