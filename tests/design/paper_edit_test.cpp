@@ -159,6 +159,17 @@ TEST(PaperEdit, PutAndTakenAwayIsWhatItWasOnBothHalves) {
   EXPECT_EQ(t.outline().edges[*symmetry->partner[*t.outline().find("side_left")]].name, "armhole_right");
 }
 
+// To the last bit: a file keeps where each edge ends, and the next one is read as beginning there.
+TEST(PaperEdit, WhatIsJoinedAcrossTheAxisMeetsItsNeighbours) {
+  Told t;
+  t.play("body size=eu38\nblock kind=skirt ease=3cm length=62cm\njoin edge=skirt_back.waist_right_2\n");
+  const Outline& outline = t.file.document().pieceNamed("skirt_back")->outline;
+  for (std::size_t k = 0; k < outline.edges.size(); ++k) {
+    const Edge &edge = outline.edges[k], &next = outline.edges[(k + 1) % outline.edges.size()];
+    EXPECT_EQ(edge.curve.end, next.curve.start) << edge.name;
+  }
+}
+
 TEST(PaperEdit, ARecordOfBeforeJoinsAsItDid) {
   Told t;
   t.play(kFrontPaper);

@@ -59,7 +59,9 @@ Result<Document> perform(const Document& before, const JoinEdges& op, Context&) 
   if (other == k) {  // on the axis
     if (refit) {
       Curve& curve = curveOf(*joined, edges[k].name);
-      curve = evenAcross(curve, symmetry);
+      const Curve fitted = curve;
+      curve = evenAcross(fitted, symmetry);
+      curve.start = fitted.start, curve.end = fitted.end;  // where its neighbours end and begin, to the last bit
       if (auto good = checked(joined->piece.outline); !good) return good.error();
     }
     return withEdit(before, *joined);
