@@ -207,6 +207,61 @@ TEST_F(Placed, ABandIsLedToItsRun) {
   }
 }
 
+// Where a run's edges stand apart a band goes round what they go round, not round the arm or leg that is nearest to the
+// run's middle.
+TEST_F(Placed, ABandGoesRoundWhatItsRunGoesRound) {
+  constexpr const char* kGarments[] = {
+      "body size=eu38\nblock kind=skirt ease=8cm length=60cm\n"
+      "band name=band of=\"skirt_front.hem_left skirt_front.hem_right skirt_back.hem_left skirt_back.hem_right\" "
+      "depth=20cm ratio=1.5 sew=yes\n",
+      "body size=eu38 set=\"belly_girth=104cm\"\nblock kind=bodice ease=8cm\n"
+      "cut piece=front line=\"-40cm,5cm; 40cm,5cm\" name=front_low\n"
+      "cut piece=back line=\"-40cm,5cm; 40cm,5cm\" name=back_low\n"
+      "band name=band of=\"front.cut front.cut_2 front.cut_3 back.cut back.cut_2 back.cut_3\" depth=48cm ratio=1.4 "
+      "sew=yes\n"};
+  for (const char* garment : kGarments) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(file, garment);
+    ASSERT_TRUE(done) << text(done.error().what);
+    const Document& document = file.document();
+    const Piece& band = *document.pieceNamed("band");
+    Vec3 middle;
+    for (const Vec3 p : band.form->space) middle += p * (1.0 / static_cast<double>(band.form->space.size()));
+    EXPECT_NEAR(middle.x, 0, 0.03) << garment;
+    const auto sewn = std::find_if(document.pattern.seams.begin(), document.pattern.seams.end(), [&](const auto& seam) {
+      return seam.second.a.front().piece == band.id && seam.second.a.front().edge == "low";
+    });
+    ASSERT_NE(sewn, document.pattern.seams.end());
+    const EdgeSpan& first = sewn->second.b.front();
+    const Piece& hem = *document.find(first.piece);
+    EXPECT_NEAR(Stand(band)(findEdge(band, "low")->curve.atFraction(0.5)).y,
+                Stand(hem)(findEdge(hem, first.edge)->curve.atFraction(0.5)).y, 0.02)
+        << garment;
+    // Where it goes is recorded; a record without stands where it stood.
+    EXPECT_NE(file.log().find(" round="), std::string::npos) << garment;
+  }
+}
+
+// A block that is worn over another garment stands off its cloth.
+TEST_F(Placed, ABlockStandsOverWhatIsWorn) {
+  const auto standing = [&](const char* over) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(file, std::string("body size=jis9ar\nblock kind=shirt ease=16cm\n"
+                                                    "block kind=shirt ease=18cm prefix=vest layer=1 over=") +
+                                            over + "\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    const auto out = [&](const std::string& prefix) {  // how far off the middle front and back stand
+      const Piece &front = *file.document().pieceNamed(prefix + "front_left"),
+                  &back = *file.document().pieceNamed(prefix + "back");
+      return std::array{Stand(front)({0.002, 0.1}).z, -Stand(back)({0, 0.1}).z};
+    };
+    const auto inner = out(""), outer = out("vest_");
+    return std::min(outer[0] - inner[0], outer[1] - inner[1]);
+  };
+  EXPECT_LT(standing("no"), 0.001);
+  EXPECT_GT(standing("yes"), 0.01);
+}
+
 // A ready block is sewn and comes to rest on its figure: a shirt that fits.
 TEST_F(Placed, AShirtBlockComesToRest) {
   Workroom own;

@@ -238,6 +238,7 @@ TermTable fieldTerms() {
       {"repeat", say("Repeats every")},
       {"replace", say("Unpick seams in the way")},
       {"reversed", say("Sewn the other way round")},
+      {"round", say("Led round there")},
       {"rows", say("Number of rows")},
       {"seam", say("Seam")},
       {"seconds", say("Takes (seconds)")},

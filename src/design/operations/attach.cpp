@@ -1,8 +1,10 @@
 // A piece stood along a run of edges: a collar along its neckline, a waistband along a skirt.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
+#include "design/operations/limb.h"
 #include "design/operations/new_piece.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
@@ -12,13 +14,15 @@ namespace karinui {
 
 namespace {
 
-constexpr int kPlaces = 120;       // of a run
-constexpr double kInside = 0.008;  // metres from the edge at which the cloth's direction is taken
-constexpr double kMeet = 0.02;     // metres: ends in space this near follow each other
-constexpr double kClear = 0.004;   // metres a stood piece keeps from the body
-constexpr double kRoom = 0.015;    // metres from the body
-constexpr int kWide = 5;           // places about one from which what is turned back takes its direction
-constexpr int kTurns = 13;         // directions tried, up to a right angle outwards
+constexpr int kPlaces = 120;               // of a run
+constexpr double kInside = 0.008;          // metres from the edge at which the cloth's direction is taken
+constexpr double kMeet = 0.02;             // metres: ends in space this near follow each other
+constexpr double kClear = 0.004;           // metres a stood piece keeps from the body
+constexpr double kRoom = 0.015;            // metres from the body
+constexpr int kWide = 5;                   // places about one from which what is turned back takes its direction
+constexpr int kTurns = 13;                 // directions tried, up to a right angle outwards
+constexpr double kBothLegs = 0.2;          // of a run's places by either leg: it goes round both
+constexpr double kHips = 1, kArmpits = 6;  // levels of the trunk between which it is gone round
 
 const Edge& edgeAt(const Document& document, const EdgeRef& ref, int beside = 0) {
   const auto& edges = document.find(ref.piece.id)->outline.edges;
@@ -155,7 +159,58 @@ class TurnsAlong {
   std::vector<double> turns_;
 };
 
+std::optional<BodyPoint> skinBeside(const Body& body, Vec3 place) {
+  const auto skin = body.bvh().nearest(place);
+  return skin ? std::optional(body.describe(skin->place)) : std::nullopt;
+}
+
+// The part of the body that most of a run lies by. What goes round both legs goes round the trunk, farther down.
+BodyPoint::Part partWithin(const SpaceRun& run, const Body& body) {
+  std::map<BodyPoint::Part, std::size_t> count;
+  for (const Vec3 place : run.place)
+    if (const auto skin = skinBeside(body, place)) ++count[skin->part];
+  const auto many = [&](BodyPoint::Part part) {
+    return static_cast<double>(count[part]) > kBothLegs * static_cast<double>(run.place.size());
+  };
+  if (many(BodyPoint::Part::LeftLeg) && many(BodyPoint::Part::RightLeg)) return BodyPoint::Part::Torso;
+  return std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+// The place on a part of the body that is nearest to one in space.
+std::optional<BodyPoint> placeOn(const Body& body, BodyPoint::Part part, Vec3 wished) {
+  std::optional<BodyPoint> best;
+  double least = 1e9;
+  for (const LimbRing& ring : ringsOf(body, part)) {
+    if (part == BodyPoint::Part::Torso && !(ring.along >= kHips && ring.along <= kArmpits)) continue;
+    for (const Vec3 skin : ring.skin) {
+      if (distance(skin, wished) >= least) continue;
+      if (const auto place = skinBeside(body, skin); place && place->part == part)
+        least = distance(skin, wished), best = place;
+    }
+  }
+  return best;
+}
+
 }  // namespace
+
+Done decideRound(const Document& before, const std::vector<EdgeRef>& edges, std::optional<BodyPoint>& round,
+                 Context& context) {
+  if (!before.body.chosen() || (!round && context.recorded)) return {};
+  const auto body = bodyOf(before, context);
+  if (!body) return body.error();
+  if (round) {
+    const auto place = (*body)->find(*round);
+    return place ? Done() : Done(place.error());
+  }
+  const SpaceRun run = runOf(before, edges);
+  if (run.together()) return {};
+  const Vec3 middle = run.place[run.place.size() / 2];
+  const auto beside = skinBeside(**body, middle);
+  if (!beside || !isLimb(beside->part)) return {};
+  if (const auto part = partWithin(run, **body); part != beside->part) round = placeOn(**body, part, middle);
+  return {};
+}
 
 void decideClear(double turn, Choice& clear, const Context& context) {
   if (clear == Choice::Auto && !context.recorded && turn > std::numbers::pi / 2) clear = Choice::Yes;
@@ -322,7 +377,7 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
 }
 
 Result<Piece> ledTo(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
-                    const FoldedOn& fold, const Body* body) {
+                    const FoldedOn& fold, const Body* body, const std::optional<BodyPoint>& round) {
   if (!body || run.together()) return attached(document, std::move(piece), edge, run, fold, body);
   if (fold.over)
     return refused(say("The edges that “{0}” comes along stand {1} cm apart; drape first, then turn it over onto them.",
@@ -331,15 +386,20 @@ Result<Piece> ledTo(const Document& document, Piece piece, const std::string& ed
   const auto skin = body->bvh().nearest(middle);
   if (!skin) return attached(document, std::move(piece), edge, run, fold, body);
   PlacePiece place;
-  place.at = body->describe(skin->place);
+  place.at = round ? *round : body->describe(skin->place);
   place.point = piece.outline.edges[*piece.outline.find(edge)].curve.atFraction(0.5);
   place.ease = Length{kRoom};
   place.cone = Choice::No;
   double up = 0;
   for (const Vec3 way : run.onward) up += way.y;
   if (up < 0) place.turn = Angle{std::numbers::pi};  // below a hem
-  auto round = placed(document, piece, place, *body);
-  return round ? round : attached(document, std::move(piece), edge, run, fold, body);
+  if (round && !isLimb(place.at.part)) {             // at the run's own height, which may be far below the trunk
+    const auto trunk = body->find(place.at);
+    if (!trunk) return trunk.error();
+    *place.point -= turned(Flat{0, middle.y - at(body->mesh(), *trunk).y}, -place.turn);
+  }
+  auto stood = placed(document, piece, place, *body);
+  return stood ? stood : attached(document, std::move(piece), edge, run, fold, body);
 }
 
 Done resolve(const Document& before, AttachPiece& op, Context& context) {
@@ -350,7 +410,7 @@ Done resolve(const Document& before, AttachPiece& op, Context& context) {
     if (edge.piece == op.edge.piece) return refused(say("A piece cannot be led along its own edge."));
   if (!(std::abs(op.turn) <= 4)) return refused(say("That turn is too large."));
   decideClear(op.turn, op.clear, context);
-  return {};
+  return decideRound(before, op.to, op.round, context);
 }
 
 Result<Document> perform(const Document& before, const AttachPiece& op, Context& context) {
@@ -361,7 +421,7 @@ Result<Document> perform(const Document& before, const AttachPiece& op, Context&
     body = *found;
   }
   auto piece = ledTo(before, *before.find(op.edge.piece.id), op.edge.edge, runOf(before, op.to),
-                     {op.turn, op.turned, op.clear == Choice::Yes}, body.get());
+                     {op.turn, op.turned, op.clear == Choice::Yes}, body.get(), op.round);
   if (!piece) return piece.error();
   return withPiece(before, *std::move(piece));
 }

@@ -49,7 +49,9 @@ Done resolve(const Document& before, DrawBand& op, Context& context) {
   if (op.sew && op.ratio != 1 && op.eased == Choice::Auto && !context.recorded) op.eased = Choice::Yes;
   if (op.sew) decideClear(op.turn, op.clear, context);
   if (op.turned && !op.sew) return refused(say("Only a band that is sewn on is turned over: sew=yes."));
+  if (op.round && !op.sew) return refused(say("Only a band that is sewn on is led round the body: sew=yes."));
   if (!op.sew) return {};
+  if (Done done = decideRound(before, op.of, op.round, context); !done) return done;
   for (const EdgeRef& edge : op.of)
     for (const SeamId id : seamsOn(before, {edge}))
       return refused(say("{0} is already sewn by seam {1}; take that out first.", edge.edge,
@@ -80,8 +82,8 @@ Result<Document> perform(const Document& before, const DrawBand& op, Context& co
   }
   const SpaceRun run = runOf(before, op.of);
   const PieceId id = piece->id;
-  auto stood =
-      ledTo(before, *std::move(piece), op.edges[0], run, {op.turn, op.turned, op.clear == Choice::Yes}, body.get());
+  auto stood = ledTo(before, *std::move(piece), op.edges[0], run, {op.turn, op.turned, op.clear == Choice::Yes},
+                     body.get(), op.round);
   if (!stood) return stood.error();
   Document after = withPiece(before, *std::move(stood));
   Seam seam;

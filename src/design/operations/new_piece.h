@@ -51,10 +51,14 @@ void decideClear(double turn, Choice& clear, const Context& context);
 // The piece with `edge` along the run, the rest going on from its cloth, clear of `body` (null: none).
 Result<Piece> attached(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
                        const FoldedOn& fold, const Body* body);
-// The same where the run's edges still stand apart, as before a first drape: wrapped round the body beside the run's
-// middle. Refuses to turn a piece over there.
+// Where a piece goes round the body whose run's edges stand apart: settled where the skin nearest to the run's middle
+// is an arm or a leg that the run does not go round. A record made before this was asked keeps its meaning.
+Done decideRound(const Document& before, const std::vector<EdgeRef>& edges, std::optional<BodyPoint>& round,
+                 Context& context);
+// The same where the run's edges still stand apart, as before a first drape: wrapped round the body at `round`, else
+// beside the run's middle. Refuses to turn a piece over there.
 Result<Piece> ledTo(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
-                    const FoldedOn& fold, const Body* body);
+                    const FoldedOn& fold, const Body* body, const std::optional<BodyPoint>& round);
 // The lattice of one piece alone.
 Result<std::shared_ptr<const Lattice>> layAlone(const Piece& piece, double spacing);
 // The piece wrapped round the torso or a limb.

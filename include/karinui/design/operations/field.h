@@ -28,6 +28,9 @@ constexpr OperationList<A..., B...> operator+(OperationList<A...>, OperationList
 inline constexpr std::string_view kClearHelp =
     "turned back only as far as the body and the cloth that stands let it: auto, yes, no (auto: yes beyond a right "
     "angle, but no in a record that does not have it)";
+inline constexpr std::string_view kRoundHelp =
+    "where on the body it is led round while the run's edges stand apart (otherwise beside the run's middle, on the "
+    "part most of the run lies by)";
 
 inline constexpr std::string_view kSeamsWithinHelp =
     "the seams within the piece too, as those of its darts: auto, yes, no (auto: yes, but no in a record that does not "

@@ -103,6 +103,7 @@ struct DrawBand {
   std::string fabric;
   int layer = 0;
   Choice clear = Choice::Auto;
+  std::optional<BodyPoint> round;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("name", self.name, "the new piece's name", kNeeded);
@@ -116,6 +117,7 @@ struct DrawBand {
     visit("turned", self.turned, "yes: turned over, so that its right side shows once it is folded back, as a collar's",
           kOptional);
     visit("clear", self.clear, kClearHelp, kOptional);
+    visit("round", self.round, kRoundHelp, kOptional);
     visit("eased", self.eased,
           "the difference that ratio= makes is meant, as ease declares it: auto, yes, no (auto: yes)", kOptional);
     visit("edges", self.edges, "names of its edges: low end_left top end_right; the first is sewn", kOptional);

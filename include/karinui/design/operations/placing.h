@@ -69,6 +69,7 @@ struct AttachPiece {
   Angle turn;
   bool turned = false;
   Choice clear = Choice::Auto;
+  std::optional<BodyPoint> round;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge of the piece that is led there", kNeeded);
@@ -77,6 +78,7 @@ struct AttachPiece {
     visit("turned", self.turned, "yes: turned over, so that its right side shows once it is folded back, as a collar's",
           kOptional);
     visit("clear", self.clear, kClearHelp, kOptional);
+    visit("round", self.round, kRoundHelp, kOptional);
   }
   bool operator==(const AttachPiece&) const = default;
 };
