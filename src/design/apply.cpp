@@ -47,6 +47,24 @@ Done workOutFields(const Document& before, Operation& operation, Context& contex
   return {};
 }
 
+// In lists of edges “front.waist*” is all edges of the outline whose names begin so, in their order there. What no
+// edge is called like is left, to be refused with the names that there are.
+void nameEachEdge(const Document& before, Operation& operation) {
+  for (const FieldOf& field : fieldsOf(operation)) {
+    if (field.form->kind != "list of piece.edge") continue;
+    std::vector<EdgeRef> all;
+    for (EdgeRef& ref : *static_cast<std::vector<EdgeRef>*>(field.value)) {
+      const bool several = ref.edge.ends_with('*') && ref.from == 0 && ref.to == 1;
+      const std::size_t had = all.size();
+      if (PieceRef piece = ref.piece; several && resolve(before, piece))
+        for (const Edge& edge : before.find(piece.id)->outline.edges)
+          if (edge.name.starts_with(ref.edge.substr(0, ref.edge.size() - 1))) all.push_back({piece, edge.name});
+      if (all.size() == had) all.push_back(std::move(ref));
+    }
+    *static_cast<std::vector<EdgeRef>*>(field.value) = std::move(all);
+  }
+}
+
 // The formula of a `length`; empty: a plain number.
 std::string lengthFormula(const Operation& operation) {
   for (const FieldText& formula : operation.formulas)
@@ -64,6 +82,7 @@ Result<BodyPtr> bodyOf(const Document& document, Context& context) {
 
 Result<Operation> resolved(const Document& before, Operation operation, Context& context) {
   if (Done done = workOutFields(before, operation, context); !done) return done.error();
+  nameEachEdge(before, operation);
   Context own = context;
   own.byFormula = !operation.formulas.empty();
   const Done done =

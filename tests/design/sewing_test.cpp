@@ -308,5 +308,21 @@ TEST(SewnRuns, AreSewnAsTheyFollowEachOther) {
   EXPECT_FALSE(apply(before, op("band name=low of=\"hem.one hem.three\" depth=3cm"), room.context));
 }
 
+// “skirt.waist*” is every edge of the outline whose name begins so; the record names them.
+TEST(SewnRuns, AreNamedByHowTheirNamesBegin) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(
+      room.play(file,
+                "piece name=skirt outline=\"M 0 0; hem L 300 0; side L 300 200; waist_left L 200 200; dart L 180 120; "
+                "dart_2 L 160 200; waist_right L 0 200; other L 0 0\"\nsew a=skirt.dart b=skirt.dart_2\n"));
+  ASSERT_TRUE(room.play(file, "band name=belt of=skirt.waist* depth=3cm sew=yes\n"));
+  EXPECT_NE(file.log().find("of=\"p1.waist_left; p1.waist_right\""), std::string::npos) << file.log();
+  const auto refused = apply(file.document(), op("band name=low of=skirt.neck* depth=3cm"), room.context);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(text(refused.error().what).find("it has: hem, side, waist_left"), std::string::npos)
+      << text(refused.error().what);
+}
+
 }  // namespace
 }  // namespace karinui
