@@ -30,6 +30,52 @@ TEST(Told, ASeamWhoseThreadsCrossIsNamed) {
               Contains(AllOf(HasSubstr("threads"), HasSubstr("front.side_right"), HasSubstr("back.side_right"))));
 }
 
+// What was probably meant is offered, under the name of the seam it takes the place of.
+TEST(Told, ASeamToTheWrongSideComesWithTheRightOne) {
+  Workroom room;
+  std::vector<Advice> told;
+  room.context.advise = [&](const Advice& said) { told.push_back(said); };
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file,
+                        "piece name=front outline=\"M -200 0; hem L 200 0; side_left L 200 500; neck L -200 500; "
+                        "side_right L -200 0\"\n"
+                        "piece name=back outline=\"M -200 0; hem L 200 0; side_left L 200 500; neck L -200 500; "
+                        "side_right L -200 0\" pose=\"0,0,-0.1 y 180deg\"\n"
+                        "sew a=front.side_left b=back.side_left name=side\n"));
+  ASSERT_EQ(told.size(), 1u);
+  ASSERT_TRUE(told.front().mend) << text(told.front().what);
+  const std::string mend = text(*told.front().mend);
+  EXPECT_THAT(mend, HasSubstr("a=front.side_left b=back.side_right"));
+  told.clear();
+  ASSERT_TRUE(room.play(file, mend + "\n")) << mend;
+  EXPECT_TRUE(told.empty()) << text(told.front().what);
+  ASSERT_EQ(file.document().pattern.seams.size(), 1u);
+  EXPECT_EQ(file.document().pattern.seams.begin()->second.name, "side");
+  EXPECT_EQ(file.document().pattern.seams.begin()->second.b.front().edge, "side_right");
+}
+
+TEST(Told, PleatsThatEndInTwoEdgesNameBoth) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const Done done =
+      room.play(file,
+                "piece name=skirt outline=\"M 0 0; hem_left L 300 0; side_left L 300 500; waist L -300 500; "
+                "side_right L -300 0; hem_right L 0 0\"\npleat edge=skirt.waist depth=2cm\n");
+  ASSERT_FALSE(done);
+  EXPECT_THAT(text(done.error().what), AllOf(HasSubstr("hem_left, hem_right"), HasSubstr("Join these edges")));
+}
+
+TEST(Told, AFacingIsCutBeforeThePleat) {
+  const char* const pleated =
+      "piece name=skirt outline=\"M 0 0; hem L 600 0; side_left L 600 500; waist L 0 500; side_right L 0 0\"\n";
+  EXPECT_THAT(toldOf(std::string(pleated) + "pleat edge=skirt.waist at=0.5 depth=2cm\n"
+                                            "facing edges=\"skirt.waist skirt.waist_2\" width=4cm\n"),
+              Contains(AllOf(HasSubstr("skirt"), HasSubstr("before the pleat"))));
+  EXPECT_THAT(toldOf(std::string(pleated) + "facing edges=skirt.waist width=4cm\n"
+                                            "pleat edge=skirt.waist at=0.5 depth=2cm\n"),
+              Not(Contains(HasSubstr("before the pleat"))));
+}
+
 // Two fronts whose edges meet in the middle and are not sewn: an opening, which a band on all of the run shuts.
 const char* const kOpened =
     "piece name=left outline=\"M 0 0; hem L 200 0; side L 200 500; neck L 0 500; centre L 0 0\"\n"

@@ -49,6 +49,18 @@ void sew(Document& document, const SewEdges& op, SeamId id) {
   document.pattern.seams[id] = std::move(seam);
 }
 
+// The seam that was probably meant, in the place of the one that is there by then; pieces by their names, to be read.
+SewEdges sewnInstead(const Document& document, SewEdges meant) {
+  meant.replace = true;
+  for (auto* side : {&meant.a, &meant.b})
+    for (EdgeRef& edge : *side) {
+      const std::string& name = document.find(edge.piece.id)->name;
+      edge.piece = PieceRef();
+      edge.piece.name = name;
+    }
+  return meant;
+}
+
 }  // namespace
 
 Done resolve(const Document& given, SewEdges& op, Context& context) {
@@ -76,7 +88,7 @@ Done resolve(const Document& given, SewEdges& op, Context& context) {
   }
   if (!op.name.empty()) {
     if (Done done = checkName(op.name); !done) return done;
-    for (const auto& [id, seam] : before.pattern.seams)
+    for (const auto& [id, seam] : cleared(before, op).pattern.seams)  // a seam that goes leaves its name free
       if (seam.name == op.name) return refused(say("There is already a seam “{0}”; choose another name.", op.name));
   }
   const double la = lengthOf(before, op.a), lb = lengthOf(before, op.b);
@@ -105,8 +117,12 @@ Done resolve(const Document& given, SewEdges& op, Context& context) {
 Result<Document> perform(const Document& given, const SewEdges& op, Context& context) {
   const Document before = withOneCurve(given, op.a, op.b);
   if (context.advise)
-    for (const SeamDoubt& doubt : seamDoubts(before, op, context.bodies.known(before.body.hash).get()))
-      context.advise({doubt.what});
+    for (const SeamDoubt& doubt : seamDoubts(before, op, context.bodies.known(before.body.hash).get())) {
+      Advice advice{doubt.what};
+      if (doubt.instead && !op.mirror && doubt.kind != SeamDoubt::Kind::Sewn)
+        advice.mend = sewnInstead(before, *doubt.instead);
+      context.advise(advice);
+    }
   Document after = cleared(before, op);
   // The image is found before the seam is there: it may stand in its own way only where resolve() refused it.
   std::optional<SewEdges> image;
