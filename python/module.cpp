@@ -232,8 +232,7 @@ class PythonDocument {
     using Found = std::tuple<SettleReport, ClothCheck, bool>;
     const auto [report, check, kept] = alone(
         [&](DocumentFile& file, Context& context) -> Result<Found> {
-          const DrapeInfo& drape = file.document().drape;
-          const bool rests = drape.atRest() && !again;
+          const bool rests = file.document().atRest() && !again;
           if (!rests)
             if (const auto step = file.perform(DrapePieces{}, context); !step) return step.error();
           const auto found = examined(file.document(), context);
@@ -250,8 +249,8 @@ class PythonDocument {
     const auto [found, last, rests] = alone([](DocumentFile& file, Context& context) -> Result<Found> {
       auto examination = examined(file.document(), context);
       if (!examination) return examination.error();
-      const DrapeInfo& drape = file.document().drape;
-      return Found(*std::move(examination), drape.last, drape.atRest());
+      const Document& document = file.document();
+      return Found(*std::move(examination), document.drape.last, document.atRest());
     });
     py::dict d = checkDict(found);
     d["at_rest"] = rests;

@@ -56,10 +56,9 @@ Message restSaid(const Document& document) {
   if (!document.drape.last) return say("The garment has not been draped yet; settle brings it to rest.");
   if (!document.drape.last->settled) return *adviceOn(*document.drape.last);
   Message changed;
-  for (const PieceId id : document.drape.dirty) {
-    const Piece* piece = document.find(id);
-    if (!piece) continue;
-    changed = changed.empty() ? nameSaid(piece->name) : say("{0}, {1}", changed, nameSaid(piece->name));
+  for (const PieceId id : document.unrested()) {
+    const Message name = nameSaid(document.find(id)->name);
+    changed = changed.empty() ? name : say("{0}, {1}", changed, name);
   }
   if (!changed.empty())
     return say("The garment is not at rest: changed since it was draped: {0}. settle brings it to rest.", changed);

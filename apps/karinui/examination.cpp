@@ -6,7 +6,7 @@ namespace karinui::app {
 
 Result<Settled> settle(OpenDocument& opened, StopRequest& stop, bool again) {
   Settled settled;
-  settled.kept = opened.document().drape.atRest() && !again;
+  settled.kept = opened.document().atRest() && !again;
   if (!settled.kept) {
     opened.context().stop = &stop;
     const Result<Step> step = opened.perform(DrapePieces{});

@@ -51,7 +51,7 @@ Json checkJson(const Examination& check, const Document& document, const Console
   Json object = Json::object();
   if (const auto& last = document.drape.last)
     object["settled"] = last->settled, object["why"] = console.said(last->why);
-  object["at_rest"] = document.drape.atRest();
+  object["at_rest"] = document.atRest();
   object.update(checkJson(check));
   return object;
 }

@@ -102,6 +102,15 @@ const Seam* Document::find(SeamId id) const {
   return at == pattern.seams.end() ? nullptr : &at->second;
 }
 
+std::vector<PieceId> Document::unrested() const {
+  std::vector<PieceId> all;
+  for (const PieceId id : drape.dirty)
+    if (const Piece* piece = find(id); piece && !piece->frozen) all.push_back(id);
+  return all;
+}
+
+bool Document::atRest() const { return drape.last && drape.last->settled && unrested().empty(); }
+
 std::string hash(const Document& document) {
   Truth truth;
   truth.add(std::string_view("karinui document 1"));

@@ -29,7 +29,7 @@ Result<Document> variantOf(const Document& document, const Operation& change, Co
 std::optional<Message> unrestSaid(const Document& document) {
   if (document.pattern.pieces.empty()) return std::nullopt;
   if (!document.drape.last) return say("not draped yet");
-  if (!document.drape.dirty.empty()) return say("changed since it was draped");
+  if (!document.unrested().empty()) return say("changed since it was draped");
   if (!document.drape.last->settled) return say("did not come to rest");
   return std::nullopt;
 }

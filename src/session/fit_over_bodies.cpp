@@ -69,7 +69,7 @@ Result<FitOnBody> fitOn(const GarmentRecipe& recipe, const GarmentWearer& wearer
   if (fit.document.body.chosen())
     if (auto body = bodyOf(fit.document, context)) fit.body = *std::move(body);
   if (!made) return refused(made.error());
-  if (!fit.document.drape.atRest()) {
+  if (!fit.document.atRest()) {
     auto rested = apply(fit.document, DrapePieces{}, context);
     if (!rested) return refused(rested.error());
     fit.document = *std::move(rested);

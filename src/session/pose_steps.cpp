@@ -15,7 +15,7 @@ Done posesKnown(const Document& document, const std::vector<std::string>& names,
 }
 
 Result<Document> rested(Document document, Context& context) {
-  if (document.drape.atRest()) return document;
+  if (document.atRest()) return document;
   return apply(document, DrapePieces{}, context);
 }
 

@@ -83,5 +83,24 @@ TEST(StoppedDrape, RefusesANegativeNumber) {
   EXPECT_FALSE(file.perform(*parseOperation("drape stop=-3"), room.context));
 }
 
+// What is frozen never drapes, so the garment rests without it: labels and pieces nobody recognised beside the figure.
+TEST(StoppedDrape, WhatIsFrozenIsNotWaitedFor) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file,
+                        "body size=jis9ar\nrectangle name=worn width=30cm height=20cm\n"
+                        "rectangle name=label width=5cm height=3cm\nfreeze piece=label\n"));
+  room.context.drape = [](const Document& document, const DrapePieces& drape, Context&) {
+    return fallABit(document, drape.live);
+  };
+  ASSERT_TRUE(room.play(file, "drape\n"));
+  EXPECT_TRUE(file.document().atRest());
+  EXPECT_FALSE(file.document().drape.atRest());
+  ASSERT_TRUE(room.play(file, "freeze piece=label frozen=no\n"));
+  EXPECT_FALSE(file.document().atRest());
+  ASSERT_EQ(file.document().unrested().size(), 1u);
+  EXPECT_EQ(file.document().find(file.document().unrested().front())->name, "label");
+}
+
 }  // namespace
 }  // namespace karinui

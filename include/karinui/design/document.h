@@ -68,7 +68,7 @@ struct DrapeInfo {
   std::set<PieceId> dirty;           // pieces that changed (or moved) since they were last brought to rest
   std::vector<RestedInPose> rested;  // the newest first, kMostRested at the most
 
-  bool atRest() const { return last && last->settled && dirty.empty(); }  // all of it, and nothing changed since
+  bool atRest() const { return last && last->settled && dirty.empty(); }  // what is frozen, too
 };
 
 struct Document {
@@ -98,6 +98,8 @@ struct Document {
   const Piece* find(PieceId id) const;  // null: no such piece
   const Piece* pieceNamed(std::string_view name) const;
   const Seam* find(SeamId id) const;
+  std::vector<PieceId> unrested() const;  // changed since it was draped; what is frozen never drapes, and is none of it
+  bool atRest() const;                    // all that drapes, and nothing of it changed since
 };
 
 // Of the pattern truth: body, outlines, marks, seams, allowances, eases, counts, sizes, fabrics, looks, pins, settings,
