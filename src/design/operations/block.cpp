@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMostEase = 1.0;      // metres
 constexpr double kLeastEase = 0.0005;  // metres
+constexpr double kOffCloth = 0.015;    // metres a block stands off the cloth that is there
 using Kind = DraftBlock::Kind;
 
 // What a draft becomes, with ids counted within the step.
@@ -21,6 +22,11 @@ class Made {
  public:
   Made(const Document& before, const DraftBlock& op, const Body& body, const Context& context)
       : document_(before), op_(op), body_(body), context_(context) {
+    if (op.over)
+      for (const auto& [id, piece] : before.pattern.pieces) {
+        const std::vector<Vec3> stands = inSpace(*piece);
+        there_.insert(there_.end(), stands.begin(), stands.end());
+      }
     context_.advise = nullptr;  // what is out of true on the way is nobody's concern
   }
 
@@ -108,6 +114,7 @@ class Made {
       place.point = draft.stands.point;
       place.ease = Length{draft.stands.ease};
       place.cone = Choice::No;
+      place.over = op_.over;
       auto stood = placed(document_, std::move(piece), place, body_);
       if (!stood) return stood.error();
       piece = *std::move(stood);
@@ -119,9 +126,33 @@ class Made {
             after(turnAbout({0, 0, 1}, draft.stands.x < 0 ? -draft.stands.lean : draft.stands.lean), piece.pose);
       const double waist = body_.measured().value.at("waist_height");
       piece.pose.carry = {draft.stands.x, waist, draft.stands.z};
+      piece.pose.carry.z += (behind ? -1 : 1) * nearerThan(piece, behind);
     }
     document_ = withPiece(std::move(document_), std::move(piece));
     return {};
+  }
+
+  static std::vector<Vec3> inSpace(const Piece& piece) {
+    std::vector<Vec3> all;
+    if (piece.form)
+      for (const Vec3 p : piece.form->space) all.push_back(piece.pose(p));
+    else
+      for (const Flat p : piece.outline.flattened(1e-3)) all.push_back(Stand(piece)(p));
+    return all;
+  }
+
+  // How much nearer a flat piece stands than the cloth that it is to lie over lets it.
+  double nearerThan(const Piece& piece, bool behind) const {
+    const std::vector<Vec3> own = inSpace(piece);
+    Vec3 low = own.front(), high = own.front();
+    for (const Vec3 p : own)
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), 0}, high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
+    const auto out = [&](Vec3 p) { return behind ? -p.z : p.z; };
+    double nearer = 0;
+    for (const Vec3 p : there_)
+      if (p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y)
+        nearer = std::max(nearer, out(p) + kOffCloth - out(own.front()));
+    return nearer;
   }
 
   std::vector<EdgeSpan> spansOf(const std::vector<EdgeRef>& refs) const {
@@ -200,6 +231,7 @@ class Made {
   const DraftBlock& op_;
   const Body& body_;
   Context context_;
+  std::vector<Vec3> there_;  // the cloth it is to lie over
   std::uint32_t pieces_ = 0, seams_ = 0;
 };
 

@@ -103,6 +103,7 @@ struct DraftBlock {
   std::string fabric;
   int layer = 0;
   Choice trued = Choice::Auto;
+  bool over = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("kind", self.kind, "bodice, sleeve, skirt, trousers, leggings, shirt or collar", kNeeded);
@@ -114,6 +115,7 @@ struct DraftBlock {
           "its lines go on smoothly across the seams, and what a side is longer on purpose is declared as ease: auto, "
           "yes, no (auto: yes, but no in a record that does not have it)",
           kOptional);
+    visit("over", self.over, "yes: it stands off the cloth that is there too, as a waistcoat off a shirt", kOptional);
   }
   bool operator==(const DraftBlock&) const = default;
 };
