@@ -138,6 +138,28 @@ class Spreading {
     return {};
   }
 
+  // What is said where the folds do not end in one edge: in which they do.
+  Message noOneBeyond() const {
+    std::string names;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < piece_.outline.edges.size(); ++k) {
+      const Edge& edge = piece_.outline.edges[k];
+      if (k == near_ || std::none_of(made_.folds.begin(), made_.folds.end(), [&](const PleatFold& fold) {
+            return parameterAcross(edge.curve, made_.across, fold.low, false) ||
+                   parameterAcross(edge.curve, made_.across, fold.low + plan_.depth, false);
+          }))
+        continue;
+      names += (count++ > 0 ? ", " : "") + edge.name;
+    }
+    if (count > 1)
+      return say(
+          "The pleats from edge {0} have to end in one edge across the piece, and end in {1}. Join these edges first, "
+          "or choose another place or direction.",
+          plan_.edge, names);
+    return say("The pleats from edge {0} have to end in one edge across the piece; choose another place or direction.",
+               plan_.edge);
+  }
+
   // The edge in which all folds end.
   Done findBeyond() {
     const auto& edges = piece_.outline.edges;
@@ -153,11 +175,7 @@ class Spreading {
         if (found) return refused(say("The pleats of {0} would run through edge {1}.", piece_.name, edges[k].name));
         found = k;
       }
-      if (!found || (&fold != made_.folds.data() && *found != far_))
-        return refused(
-            say("The pleats from edge {0} have to end in one edge across the piece; choose another place or "
-                "direction, or join the edges there.",
-                plan_.edge));
+      if (!found || (&fold != made_.folds.data() && *found != far_)) return refused(noOneBeyond());
       far_ = *found;
     }
     made_.beyondOf = edges[far_].name;
