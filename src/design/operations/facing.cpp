@@ -5,6 +5,7 @@
 #include "design/operations/cut_parts.h"
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
+#include "karinui/pattern/pleats.h"
 
 namespace karinui {
 
@@ -16,6 +17,30 @@ std::vector<Mark> marksOf(const Piece& piece, const RunOnPiece& run) {
   for (const Mark& mark : piece.marks)
     if (std::find(run.edges.begin(), run.edges.end(), mark.edge) != run.edges.end()) marks.push_back(mark);
   return marks;
+}
+
+// A facing that ends at a folded pleat goes on beyond it as another one, with nothing to hold the two together.
+void tellPleated(const Document& before, const std::vector<RunOnPiece>& runs, const Context& context) {
+  constexpr double kMeet = 1e-4;  // metres
+  if (!context.advise) return;
+  const std::vector<PaperPleat> pleats = pleatsOf(before.pattern);
+  for (const RunOnPiece& run : runs) {
+    const Piece& piece = *before.find(run.piece);
+    for (const std::string& edge : run.edges) {
+      const Curve& curve = findEdge(piece, edge)->curve;
+      const bool beside = std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) {
+        return pleat.piece == piece.id &&
+               (std::min(distance(pleat.fold, curve.start), distance(pleat.fold, curve.end)) < kMeet ||
+                std::min(distance(pleat.place, curve.start), distance(pleat.place, curve.end)) < kMeet);
+      });
+      if (!beside) continue;
+      context.advise(
+          {say("“{0}” is pleated beside {1}, and the facing ends there. Face the edge before the pleat is "
+               "folded: it is then one facing, and the pleat is folded over it.",
+               piece.name, edge)});
+      break;
+    }
+  }
 }
 
 }  // namespace
@@ -42,6 +67,7 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context& c
       }))
     context.advise({say("Drape the garment before it is faced: the facing then lies close inside it.")});
   const std::vector<RunOnPiece> runs = runsOf(before, op.edges);
+  tellPleated(before, runs, context);
   std::vector<PieceId> outers;
   for (const RunOnPiece& run : runs) outers.push_back(run.piece);
   auto room = withLayersBeneath(before, outers);
