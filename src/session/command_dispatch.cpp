@@ -133,7 +133,6 @@ void Session::command(Command command) {
     case Command::Duplicate: {
       DuplicatePiece copy;
       copy.piece = chosen().front();
-      copy.name = usableName(in.state.snapshot->document, in.state.snapshot->document.find(copy.piece.id)->name);
       copy.by = {0.05, 0, 0.05};
       return in.perform(std::move(copy));
     }
