@@ -29,6 +29,7 @@ class MoveGesture : public Gesture {
         turning_ = sample.control && !sample.tip;
         from_ = hit.on == Hit::On::Cloth ? hit.point : spaceOf(*context.snapshot, held_, hit.paper).value_or(hit.point);
         fromTable_ = sample.place;
+        aside_.reset(), laid_ = {};
         facing_ = sample.facing;
         start_ = handAt(sample, from_);
         pressed_ = sample;
@@ -48,6 +49,7 @@ class MoveGesture : public Gesture {
     if (!held_) return {};
     if (onTable_) {
       aside_ = {held_, sample.place - fromTable_};
+      laid_ += aside_->second;
       fromTable_ = sample.place;
       if (sample.phase == PointerSample::Phase::Release) return finished({});
       return {};
@@ -111,6 +113,10 @@ class MoveGesture : public Gesture {
   }
   KeyStops keyStops() const override { return held_ ? KeyStops::Corners : KeyStops::Pieces; }
   std::optional<std::pair<PieceId, Flat>> laidAside() override { return std::exchange(aside_, std::nullopt); }
+  std::optional<std::pair<PieceId, Flat>> putBack() override {
+    if (!held_ || !onTable_) return std::nullopt;
+    return std::pair(held_, Flat{} - laid_);
+  }
 
  private:
   static double tenthOfDegree(double radians) {
@@ -185,6 +191,7 @@ class MoveGesture : public Gesture {
   std::vector<Vec3> mine_, myOutline_;  // corners; places all along
   std::vector<std::pair<Vec3, Vec3>> theirs_, theirOutline_;
   std::optional<std::pair<PieceId, Flat>> aside_;
+  Flat laid_;  // on the table, since it was taken hold of
 };
 
 }  // namespace

@@ -126,6 +126,7 @@ class Gesture {
   // Select and Move on the table, which change the view only.
   virtual std::optional<Selection> chosen() { return std::nullopt; }
   virtual std::optional<std::pair<PieceId, Flat>> laidAside() { return std::nullopt; }
+  virtual std::optional<std::pair<PieceId, Flat>> putBack() { return std::nullopt; }  // what the hand drops
 };
 std::unique_ptr<Gesture> gestureFor(Command tool);
 
