@@ -1,18 +1,48 @@
 #include "drop_menu.h"
 
-#include <QDoubleSpinBox>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "karinui/base/number.h"
+#include "length_box.h"
 #include "theme.h"
 
 namespace karinui::studio {
+
+std::optional<double> DropNumber::read() const {
+  const QString typed = lineEdit()->text().trimmed();
+  if (unit > 0) {
+    const auto metres = metresIn(typed);
+    return metres ? std::optional(*metres / unit) : std::nullopt;
+  }
+  const auto number = parseNumber(typed.normalized(QString::NormalizationForm_KC).replace(',', '.').toStdString());
+  return number ? std::optional(*number) : std::nullopt;
+}
+
+std::optional<Message> DropNumber::trouble() const {
+  const std::string typed = lineEdit()->text().trimmed().toStdString();
+  const auto number = read();
+  if (!number)
+    return unit > 0 ? say("“{0}” is no length; type a number, like {1}.", typed, lengthText(0.125).toStdString())
+                    : say("“{0}” is no number.", typed);
+  constexpr double kRounding = 1e-9;
+  if (*number >= minimum() - kRounding && *number <= maximum() + kRounding) return {};
+  const auto said = [this](double value) {
+    return (unit > 0 ? lengthText(value * unit, 2) : textFromValue(value)).toStdString();
+  };
+  return say("{0}: it can be between {1} and {2}, not {3}.", accessibleName().toStdString(), said(minimum()),
+             said(maximum()), said(*number));
+}
+
+double DropNumber::valueFromText(const QString&) const { return read().value_or(value()); }
 
 DropMenuFrame::DropMenuFrame(Session& session, QWidget* view) : QFrame(view), session_(session) {
   setObjectName("drop_menu");
@@ -22,12 +52,13 @@ DropMenuFrame::DropMenuFrame(Session& session, QWidget* view) : QFrame(view), se
   title_ = new QLabel;
   title_->setWordWrap(true);
   column_->addWidget(title_);
-  number_ = new QDoubleSpinBox;
+  number_ = new DropNumber;
   number_->setObjectName("drop_number");
   number_->setKeyboardTracking(false);
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   number_->setFocusPolicy(Qt::ClickFocus);
   number_->installEventFilter(this);
+  view->installEventFilter(this);
   take_ = new QToolButton;
   take_->setFocusPolicy(Qt::NoFocus);
   connect(take_, &QToolButton::clicked, this, [this] { takeNumber(); });
@@ -86,10 +117,11 @@ void DropMenuFrame::show(const std::optional<DropMenu>& menu, QPointF at) {
 void DropMenuFrame::showNumber(const std::optional<DropMenu::Number>& number) {
   numberRow_->setVisible(number.has_value());
   if (!number) return;
-  number_->setDecimals(number->decimals);
   number_->setAccessibleName(inWords(number->label));
   take_->setText(inWords(number->label));
-  if (number_->hasFocus()) return;
+  if (window()->focusWidget() == number_) return;  // what is being typed stays
+  number_->unit = number->unit;
+  number_->setDecimals(number->decimals);
   if (const auto offered = std::array{number->least, number->most, number->value}; offered != offered_) {
     offered_ = offered;
     number_->setRange(number->least, number->most);
@@ -99,16 +131,35 @@ void DropMenuFrame::showNumber(const std::optional<DropMenu::Number>& number) {
 }
 
 void DropMenuFrame::takeNumber() {
-  number_->interpretText();
-  const double typed = number_->value();
+  if (const auto why = number_->trouble()) {
+    session_.refuse(badInput(*why));
+    number_->setFocus(), number_->selectAll();
+    return;
+  }
+  const double typed = *number_->read();
   parentWidget()->setFocus();
   offered_ = {};
   session_.chooseNumber(typed);
   emit chosen();
 }
 
-bool DropMenuFrame::eventFilter(QObject*, QEvent* event) {
+bool DropMenuFrame::typesNumber(const QEvent& event) const {
+  if (!isVisible() || numberRow_->isHidden()) return false;
+  const auto& key = static_cast<const QKeyEvent&>(event);
+  if (key.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) return false;
+  const QString text = key.text();
+  return text.size() == 1 && (text[0].isDigit() || text[0] == '.' || text[0] == ',');
+}
+
+bool DropMenuFrame::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
+  if (watched != number_) {
+    if (!typesNumber(*event)) return false;
+    if (event->type() == QEvent::ShortcutOverride) return event->accept(), true;
+    number_->setFocus();
+    number_->selectAll();
+    return QApplication::sendEvent(number_, event), true;
+  }
   const int key = static_cast<QKeyEvent*>(event)->key();
   if (event->type() == QEvent::ShortcutOverride) return event->accept(), true;  // digits are typed, not views
   if (key == Qt::Key_Return || key == Qt::Key_Enter) return takeNumber(), true;

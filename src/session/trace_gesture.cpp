@@ -86,7 +86,8 @@ class TraceGesture : public Gesture {
                                    0.1,
                                    1000,
                                    2,
-                                   typing_};
+                                   typing_,
+                                   unit};
     menu.where = PointerSample::Where::Table;
     menu.table = places_[1];
     return menu;

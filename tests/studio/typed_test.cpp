@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QDialog>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -247,6 +248,54 @@ TEST(StudioTyped, WhereAPrintBeginsIsAskedOfAPieceAlone) {
   for (QLabel* label : w.main().boards().currentWidget()->findChildren<QLabel*>())
     if (label->text() == "Print begins at") seen += label->isVisible();
   EXPECT_EQ(seen, 0u);
+}
+
+// What is asked beside two places of a scan is typed at once, in any unit; no digit turns the fitting meanwhile.
+TEST(StudioTyped, ANumberAskedAtTheDropIsTypedAtOnceAndInAnyUnit) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  Folder folder;
+  QImage sheet(600, 400, QImage::Format_RGB32);
+  sheet.fill(Qt::white);
+  const fs::path file = folder.path / "scan.png";
+  ASSERT_TRUE(sheet.save(QString::fromStdString(file.string())));
+  w.open(file);
+  ASSERT_EQ(w.count(), 1u) << w.main().said().toStdString();
+  const auto scan = [&]() -> const Underlay& { return w.session().snapshot().document.underlays.begin()->second; };
+  const auto strike = [&](const QString& keys) {
+    for (const QChar key : keys) QTest::keyClick(w.main().focusWidget(), key.toLatin1());
+    QTest::keyClick(w.main().focusWidget(), Qt::Key_Return);
+    w.rest();
+  };
+  const auto apart = [&] {  // as wide as the scan, but for a tenth at either side
+    for (const double at : {60.0, 540.0}) w.click(w.table(), w.table().onScreen(scan().onTable({at, 200})));
+    w.rest();
+    ASSERT_TRUE(w.session().dropMenu());
+    w.table().setFocus();
+  };
+  w.key(Command::Trace);
+  const auto looks = [&] { return *w.space().onScreen({0.3, 1, 0.2}); };
+  const QPointF before = looks();
+  for (const auto& [keys, metres] :
+       {std::pair("100", 1.0), std::pair("200mm", 0.2), std::pair("8in", 0.2032), std::pair("12,5", 0.125)}) {
+    apart();
+    strike(keys);
+    EXPECT_NEAR(scan().width, metres * 600 / 480, 2e-3 * metres) << keys << ": " << w.main().said().toStdString();
+    EXPECT_FALSE(w.session().dropMenu());
+  }
+  EXPECT_EQ(looks(), before);
+  // What cannot be is told, and may be typed anew.
+  const std::size_t steps = w.count();
+  apart();
+  strike("2o");
+  EXPECT_THAT(w.main().said().toStdString(), HasSubstr("is no length"));
+  strike("20m");
+  EXPECT_THAT(w.main().said().toStdString(), AllOf(HasSubstr("between"), HasSubstr("2000.00 cm")));
+  EXPECT_EQ(w.count(), steps);
+  ASSERT_TRUE(w.session().dropMenu());
+  strike("30");
+  EXPECT_EQ(w.count(), steps + 1);
+  EXPECT_NEAR(scan().width, 0.3 * 600 / 480, 1e-3);
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ struct DropMenu {
     double value = 1, least = 1, most = 1;
     int decimals = 2;
     bool asked = false;  // its item was chosen: the hand types now
+    double unit = 0;     // metres, of a length, which may be typed in any unit; 0: a plain number
   };
   std::optional<Number> number = {};
   PointerSample::Where where = PointerSample::Where::Space;
