@@ -1,5 +1,6 @@
 // The menu of the right button: what can be done with the piece, the edge or the seam it was clicked on.
 #include <QMenu>
+#include <QStatusBar>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,6 +25,19 @@ namespace {
 
 constexpr double kSkirtDeep = 0.5;  // metres, first written in the box
 constexpr double kDartDeep = 0.1;   // metres, as the board "Garment" offers it
+
+// Qt leaves what an entry says at the foot when the keys go on to one that says nothing, and when that is chosen.
+QMenu* contextMenuOf(QMainWindow& window) {
+  auto* menu = new QMenu(&window);
+  menu->setObjectName("context");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QStatusBar* foot = window.statusBar();
+  QObject::connect(menu, &QMenu::hovered, foot, [foot](const QAction* entry) {
+    if (entry->statusTip().isEmpty()) foot->clearMessage();
+  });
+  QObject::connect(menu, &QMenu::aboutToHide, foot, &QStatusBar::clearMessage);
+  return menu;
+}
 
 // By length, to the millimetre, as it is then written into the step.
 double toMillimetre(double share, double whole) {
@@ -232,9 +246,7 @@ void MainWindow::offer(QMenu& menu, const Message& words, Operation operation) {
 
 void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QPoint& global,
                         const std::optional<EdgeNear>& led) {
-  auto* menu = new QMenu(this);
-  menu->setObjectName("context");
-  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QMenu* menu = contextMenuOf(*this);
   if (session_->can(Command::Confirm)) {  // the hand is in the middle of something
     for (const Command c : {Command::Confirm, Command::Undo, Command::Cancel}) menu->addAction(actions_[c]);
     return menu->popup(global);
@@ -317,9 +329,7 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
 }
 
 void MainWindow::menuOfPlace(PlacePiece place, const QPoint& global) {
-  auto* menu = new QMenu(this);
-  menu->setObjectName("context");
-  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QMenu* menu = contextMenuOf(*this);
   offer(*menu, say("Wrap the chosen piece round here"), place);
   place.over = true;
   offer(*menu, say("Wrap it over the cloth that is there"), place);

@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QLineEdit>
 #include <QMenu>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTest>
 #include <QTreeWidget>
@@ -337,6 +338,28 @@ TEST(StudioMenus, OnlyAPieceThatIsSewnToNothingIsOfferedToBeSewnOn) {
   };
   EXPECT_THAT(offeredWith("pocket"), Contains("Sew pocket on here…"));
   EXPECT_THAT(offeredWith("front"), Not(Contains(StartsWith("Sew front"))));
+}
+
+// The line at the foot belongs to the menu only while that is open.
+TEST(StudioMenus, WhatAMenuSaysGoesWithIt) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const Piece front = *w.session().snapshot().document.pieceNamed("front");
+  rightClick(w, w.table(), w.onTable("front", findEdge(front, "side_left")->curve.atFraction(0.5)));
+  ASSERT_THAT(offered(), Contains("Unpick this seam"));
+  QMenu* menu = contextMenu();
+  const auto foot = [&] { return w.main().statusBar()->currentMessage().toStdString(); };
+  QTest::keyClick(menu, Qt::Key_Down);
+  EXPECT_EQ(foot(), "Sews a crossed seam the other way round.");
+  QTest::keyClick(menu, Qt::Key_Down);
+  EXPECT_EQ(foot(), "") << "of an entry that says nothing";
+  QTest::keyClick(menu, Qt::Key_Up);
+  QTest::keyClick(menu, Qt::Key_Down);
+  QTest::keyClick(menu, Qt::Key_Return);
+  w.rest();
+  EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), 3u);
+  EXPECT_EQ(foot(), "");
 }
 
 }  // namespace
