@@ -259,15 +259,20 @@ void MainWindow::makeMenus() {
                           Command::SectionBack, Command::SectionOn})
     viewMenu_->addAction(actions_[c]);
   viewMenu_->addSeparator();
-  const auto map = [&](const Message& words, const char* key, FitMap which) {
-    add(viewMenu_, words, "fit", key, [this, which] {
+  const auto map = [&](const char* name, const Message& words, const char* key, FitMap which) {
+    QAction* one = add(viewMenu_, words, "", key, [this, which] {  // a picture would stand in place of the tick
       space_->setMap(space_->map() == which ? FitMap::None : which);
       refresh();
     });
+    one->setObjectName(name);
+    one->setCheckable(true);
+    const auto tick = [this, one, which] { one->setChecked(space_->map() == which); };
+    connect(viewMenu_, &QMenu::aboutToShow, one, tick);  // the board Fit chooses them too
+    connect(this, &MainWindow::refreshed, one, tick);
   };
-  map(say("Strain map"), "Alt+7", FitMap::Strain);
-  map(say("Distance to the body"), "Alt+8", FitMap::Ease);
-  map(say("Pressure on the body"), "Alt+9", FitMap::Pressure);
+  map("map_strain", say("Strain map"), "Alt+7", FitMap::Strain);
+  map("map_ease", say("Distance to the body"), "Alt+8", FitMap::Ease);
+  map("map_pressure", say("Pressure on the body"), "Alt+9", FitMap::Pressure);
   QAction* motion =
       add(viewMenu_, say("Fit in motion…"), "", "", [this] { (new MotionStudy(*session_, this))->open(); });
   motion->setObjectName("motion");
@@ -294,6 +299,8 @@ void MainWindow::makeMenus() {
     keepAppearance();
   });
   dark->setObjectName("dark");
+  dark->setCheckable(true);
+  dark->setChecked(Theme::here().dark());
   QAction* inches = add(viewMenu_, say("Inches"), "", "", [] {
     Theme::here().setInches(!Theme::here().inches());
     keepAppearance();

@@ -362,5 +362,42 @@ TEST(StudioMenus, WhatAMenuSaysGoesWithIt) {
   EXPECT_EQ(foot(), "");
 }
 
+// What is on has a tick, however it was put on.
+TEST(StudioMenus, WhatIsSwitchedOnIsTicked) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  QAction* dark = w.main().findChild<QAction*>("dark");
+  ASSERT_TRUE(dark);
+  EXPECT_TRUE(dark->isCheckable());
+  EXPECT_FALSE(dark->isChecked());
+  dark->trigger();
+  EXPECT_TRUE(Theme::here().dark());
+  EXPECT_TRUE(dark->isChecked());
+  dark->trigger();
+  EXPECT_FALSE(Theme::here().dark());
+  EXPECT_FALSE(dark->isChecked());
+  const auto ticked = [&] {
+    auto* view = qobject_cast<QMenu*>(w.main().findChild<QAction*>("map_strain")->parent());
+    Q_EMIT view->aboutToShow();
+    std::string all;
+    for (const char* name : {"map_strain", "map_ease", "map_pressure"}) {
+      const QAction* one = w.main().findChild<QAction*>(name);
+      EXPECT_TRUE(one->icon().isNull()) << "a picture stands in place of the tick";
+      all += one->isChecked() ? '1' : '0';
+    }
+    return all;
+  };
+  ASSERT_TRUE(w.main().findChild<QAction*>("map_strain"));
+  EXPECT_EQ(ticked(), "000");
+  w.main().findChild<QAction*>("map_ease")->trigger();
+  EXPECT_EQ(ticked(), "010");
+  w.space().setMap(FitMap::Strain);  // as the board Fit does
+  EXPECT_EQ(ticked(), "100");
+  w.main().findChild<QAction*>("map_strain")->trigger();
+  EXPECT_EQ(w.space().map(), FitMap::None);
+  EXPECT_EQ(ticked(), "000");
+}
+
 }  // namespace
 }  // namespace karinui::studio
