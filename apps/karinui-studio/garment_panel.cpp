@@ -62,7 +62,7 @@ QString seamName(const Document& document, const Seam& seam) {
 
 // A name is shown as people say it, and kept as scripts write it.
 void showName(QLineEdit& box, const std::string& name, const QString& said) {
-  box.setText(said);
+  if (!beingTyped(box)) box.setText(said);
   box.setToolTip(scriptHint(name));
 }
 std::optional<std::string> newName(const QLineEdit& box, const std::string& now, const QString& said) {
@@ -214,6 +214,7 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
     return session_.snapshot().document.find(*session_.selection().pieces.begin());
   };
   connect(name_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
+    name_->setModified(false);
     const Piece* piece = pieceChosen();
     const auto wanted = piece ? newName(*name_, piece->name, nameText(piece->name)) : std::nullopt;
     if (!wanted) return;
@@ -245,6 +246,7 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
     session_.perform(SetGrain{PieceRef(piece->id), {std::sin(a), std::cos(a)}});
   });
   connect(edgeName_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
+    edgeName_->setModified(false);
     const Piece* piece = pieceChosen();
     if (!piece || !session_.selection().edge) return;
     const auto wanted =
@@ -323,6 +325,8 @@ void GarmentPanel::edgeTyped(const std::function<Result<Outline>(const Piece&)>&
 }
 
 void GarmentPanel::refresh() {
+  if (!(selectionShown_ == session_.selection()))  // what was half typed was meant for another piece or edge
+    for (QLineEdit* line : findChildren<QLineEdit*>()) line->setModified(false);
   if (historyShown_ != session_.changes().history) {
     historyShown_ = session_.changes().history;
     fillTree();
@@ -446,9 +450,10 @@ void GarmentPanel::fillProperties() {
     for (const auto& [name, f] : document.fabrics) add(name);
     add(piece->fabric);
     fabric_->setCurrentIndex(fabric_->findData(QString::fromStdString(piece->fabric)));
-    layer_->setValue(piece->layer);
+    if (!beingTyped(*layer_->findChild<QLineEdit*>())) layer_->setValue(piece->layer);
     frozen_->setChecked(piece->frozen);
-    grain_->setValue(std::atan2(piece->grain.u, piece->grain.v) * 180 / std::numbers::pi);
+    if (!beingTyped(*grain_->findChild<QLineEdit*>()))
+      grain_->setValue(std::atan2(piece->grain.u, piece->grain.v) * 180 / std::numbers::pi);
     cut_->refresh();
     const auto shift = document.looks.shifts.find(piece->id);
     look_->show(lookOf(document, *piece), shift == document.looks.shifts.end() ? Flat() : shift->second);

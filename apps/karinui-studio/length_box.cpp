@@ -35,15 +35,32 @@ LengthBox::LengthBox(const Message& name, double low, double high) : name_(name)
   connect(this, &QDoubleSpinBox::valueChanged, this, &LengthBox::typed);
 }
 
-void LengthBox::setMetres(double metres) {
+bool beingTyped(const QLineEdit& line) {
+  const QWidget* focus = line.window()->focusWidget();
+  return line.isModified() && focus && (focus == &line || focus == line.parentWidget());
+}
+
+void LengthBox::keepTyped(const std::function<void()>& change) {
   const QSignalBlocker quiet(this);
-  setValue(metres);
-  lineEdit()->setText(textFromValue(value()));  // the same number in another unit, too
+  const bool typing = beingTyped(*lineEdit());
+  const QString text = lineEdit()->text();
+  const int at = lineEdit()->cursorPosition();
+  change();
+  if (!typing) return;
+  lineEdit()->setText(text);
+  lineEdit()->setModified(true);
+  lineEdit()->setCursorPosition(at);
+}
+
+void LengthBox::setMetres(double metres) {
+  keepTyped([&] {
+    setValue(metres);
+    lineEdit()->setText(textFromValue(value()));  // the same number in another unit, too
+  });
 }
 
 void LengthBox::setLongest(double metres) {
-  const QSignalBlocker quiet(this);
-  setMaximum(metres);
+  keepTyped([&] { setMaximum(metres); });
 }
 
 void LengthBox::takeFormulas(std::function<Result<double>(const std::string& formula)> value) {
@@ -91,6 +108,7 @@ std::optional<Error> LengthBox::trouble() const {
 bool LengthBox::putBack() {
   const auto why = trouble();
   if (!why) return false;
+  lineEdit()->setModified(false);
   setMetres(value());
   QToolTip::showText(mapToGlobal(QPoint(0, height())), inWords(why->what).toHtmlEscaped(), this);
   emit refused(*why);
@@ -102,6 +120,7 @@ bool LengthBox::enterFormula() {
   const auto metres = formulaValue_(formula.toStdString());
   if (!metres) return emit refused(metres.error()), false;
   QToolTip::hideText();
+  lineEdit()->setModified(false);
   setMetres(*metres);
   emit formulaTyped(formula, *metres);
   return true;
@@ -114,6 +133,7 @@ void LengthBox::keyPressEvent(QKeyEvent* event) {
     QDoubleSpinBox::keyPressEvent(event);
   else if (event->accept(); !enterFormula())
     return;
+  if (enter) lineEdit()->setModified(false);
   if (enter && byMouse_) emit left();
 }
 

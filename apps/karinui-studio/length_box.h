@@ -9,8 +9,12 @@
 
 #include "karinui/base/result.h"
 
+class QLineEdit;
+
 namespace karinui::studio {
 
+// Somebody is at it: it has the keys, and its text is not what was shown last.
+bool beingTyped(const QLineEdit& line);
 // Metres in what was typed: a bare number is in the person's own unit. Nothing: no length.
 std::optional<double> metresIn(QString text);
 
@@ -43,9 +47,10 @@ class LengthBox : public QDoubleSpinBox {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  bool enterFormula();                   // false: refused
-  std::optional<Error> trouble() const;  // of a number that is typed
-  bool putBack();                        // such a one; the one that holds is shown
+  bool enterFormula();                                  // false: refused
+  std::optional<Error> trouble() const;                 // of a number that is typed
+  bool putBack();                                       // such a one; the one that holds is shown
+  void keepTyped(const std::function<void()>& change);  // what is being typed stays while the value changes
   bool saysNothing(const QString& text) const;
   Message name_;
   std::optional<std::pair<double, double>> sensible_;

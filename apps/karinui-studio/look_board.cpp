@@ -171,6 +171,7 @@ QWidget* LookBoard::dyeRow(const Message& name, QPushButton*& button, QLineEdit*
       perform([&](SetLook& look) { look.*field = dyeOf(chosen); });
   });
   connect(typed, &QLineEdit::editingFinished, this, [this, typed, field] {
+    typed->setModified(false);
     const Dye now = shownDye(field);
     QString words = typed->text().trimmed();
     if (!words.startsWith('#')) words.prepend('#');
@@ -196,7 +197,7 @@ Dye LookBoard::shownDye(std::optional<Dye> SetLook::*field) const {
 void LookBoard::paint(QPushButton& button, QLineEdit& box, const Dye& dye) {
   const QString name = onScreen(dye).name();
   button.setStyleSheet("background: " + name + ";");
-  box.setText(name);
+  if (!beingTyped(box)) box.setText(name);
 }
 
 void LookBoard::show(const Look& look, std::optional<Flat> shift) {

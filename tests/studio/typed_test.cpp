@@ -298,5 +298,60 @@ TEST(StudioTyped, ANumberAskedAtTheDropIsTypedAtOnceAndInAnyUnit) {
   EXPECT_NEAR(scan().width, 0.3 * 600 / 480, 1e-3);
 }
 
+// Steps and drapes come to an end while one types; what is half typed is not written over by what holds.
+TEST(StudioTyped, WhatIsHalfTypedStaysWhileStepsEnd) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  chooseEdge(w, "front", "shoulder_left");
+  const auto step = [&] {
+    w.session().perform(*parseOperation("layer piece=back layer=" + std::to_string(w.count() % 2 + 1)));
+    w.rest();
+  };
+  LengthBox& box = w.box("Length");
+  box.setFocus();
+  box.selectAll();
+  QTest::keyClicks(&box, "1");
+  const std::size_t before = w.count();
+  step();
+  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
+  EXPECT_EQ(lineOf(box).text(), "1");
+  QTest::keyClicks(&box, "5");
+  w.type(box, Qt::Key_Return);
+  w.rest();
+  const auto shoulder = [&] {
+    return findEdge(*w.session().snapshot().document.pieceNamed("front"), "shoulder_left")->curve.length();
+  };
+  EXPECT_NEAR(shoulder(), 0.15, 1e-4) << w.main().said().toStdString();
+  // Once it was entered the box shows what holds, though it has the keys still.
+  w.key(Command::Undo);
+  w.rest();
+  EXPECT_GT(std::abs(shoulder() - 0.15), 1e-3);
+  EXPECT_NEAR(box.value(), shoulder(), 1e-6);
+  EXPECT_EQ(lineOf(box).text(), lengthText(shoulder(), 2));
+  // A name too, and Return gives it.
+  QLineEdit* name = nullptr;
+  for (QLineEdit* one : w.main().findChildren<QLineEdit*>())
+    if (one->isVisible() && one->text() == "front") name = one;
+  if (!name) {
+    Selection piece;
+    piece.pieces = {w.session().snapshot().document.pieceNamed("front")->id};
+    w.session().select(piece);
+    w.rest();
+    for (QLineEdit* one : w.main().findChildren<QLineEdit*>())
+      if (one->isVisible() && one->text() == "front") name = one;
+  }
+  ASSERT_TRUE(name);
+  name->setFocus();
+  name->selectAll();
+  QTest::keyClicks(name, "bod");
+  step();
+  EXPECT_EQ(name->text(), "bod");
+  QTest::keyClicks(name, "ice");
+  w.type(*name, Qt::Key_Return);
+  w.rest();
+  EXPECT_TRUE(w.session().snapshot().document.pieceNamed("bodice")) << w.main().said().toStdString();
+}
+
 }  // namespace
 }  // namespace karinui::studio
