@@ -35,6 +35,12 @@ QString examplesFolder() {
   return QDir(installed).exists() ? installed : here.filePath("../../../examples");
 }
 
+// What was dropped is read where it is: a program that is told of a move may delete it.
+void takeCopy(QDropEvent& event) {
+  event.setDropAction(Qt::CopyAction);
+  event.accept();
+}
+
 }  // namespace
 
 QString MainWindow::freshPath(const QString& name, const FileFormat& format) const {
@@ -192,10 +198,11 @@ void MainWindow::askReplay(const SetBody& body) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+  if (event->mimeData()->hasUrls()) takeCopy(*event);
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+  takeCopy(*event);
   for (const QUrl& url : event->mimeData()->urls())
     if (url.isLocalFile()) openPath(url.toLocalFile());
 }

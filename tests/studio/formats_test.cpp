@@ -92,5 +92,28 @@ TEST(StudioFormats, ADroppedFileIsTakenByItsEndingInCapitalsAndAnUnknownOneTold)
   EXPECT_EQ(w.count(), before + 1) << w.main().said().toStdString();
 }
 
+// Where the file's own window offers to move it, as file managers do, it is copied: a mover deletes what was taken.
+TEST(StudioFormats, ADroppedFileStaysWhereItIs) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  Folder folder;
+  const fs::path file = folder.path / "x.ops";
+  std::ofstream(file) << "piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; back L 0 0\"\n";
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+  const Qt::DropActions offered = Qt::CopyAction | Qt::MoveAction;
+  QDragEnterEvent enter({200, 200}, offered, &data, Qt::LeftButton, Qt::ShiftModifier);
+  ASSERT_EQ(enter.proposedAction(), Qt::MoveAction);
+  QApplication::sendEvent(&w.main(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  EXPECT_EQ(enter.dropAction(), Qt::CopyAction);
+  QDropEvent left(QPointF(200, 200), offered, &data, Qt::LeftButton, Qt::ShiftModifier);
+  QApplication::sendEvent(&w.main(), &left);
+  EXPECT_TRUE(left.isAccepted());
+  EXPECT_EQ(left.dropAction(), Qt::CopyAction);
+  w.rest();
+  EXPECT_TRUE(w.session().snapshot().document.pieceNamed("front"));
+}
+
 }  // namespace
 }  // namespace karinui::studio
