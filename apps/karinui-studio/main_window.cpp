@@ -319,6 +319,7 @@ void MainWindow::refresh() {
   if (refusal && !(entered && entered->holdsFormula()))  // which is mended where it stands
     for (Panel* panel : panels_) panel->showAgain();
   if (const auto damaged = session_->takeDamaged()) offerRescue(*damaged);
+  if (const auto open = session_->takeOpenBody()) offerSkin(*open);
   if (atStart() && (!session_->path().empty() || !session_->steps().empty())) leaveStart();
   if (auto asked = session_->takeAsked()) askNumbers(*std::move(asked));
   if (const auto view = session_->takeView()) {

@@ -86,6 +86,7 @@ class MainWindow : public QMainWindow {
   void showDropMenu();
   void run(Command command);
   void offerRescue(const std::filesystem::path& damaged);  // of a document that was not opened
+  void offerSkin(const std::filesystem::path& body);       // for one whose surface has holes
   void askRescue(const std::filesystem::path& damaged);
   void askNew();
   void askOpen();

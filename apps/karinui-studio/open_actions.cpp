@@ -19,6 +19,7 @@
 
 #include "drafts.h"
 #include "file_filter.h"
+#include "karinui/exchange/read_body.h"
 #include "main_window.h"
 #include "measures_file.h"
 #include "start_page.h"
@@ -103,6 +104,30 @@ void MainWindow::offerRescue(const std::filesystem::path& damaged) {
   box->setDefaultButton(save);
   connect(
       save, &QPushButton::clicked, this, [this, damaged] { askRescue(damaged); }, Qt::QueuedConnection);
+  box->open();
+}
+
+void MainWindow::offerSkin(const std::filesystem::path& body) {
+  auto* box = new QMessageBox(
+      QMessageBox::Question, "Karinui",
+      inWords(
+          say("The surface of “{0}” has holes, as scans often have, and it was not read. A watertight skin can be laid "
+              "over it, which closes them; what is finer than {1} is lost.",
+              body.filename().string(), lengthText(BodyReadOptions().wrapCell).toStdString())),
+      QMessageBox::NoButton, this);
+  box->setObjectName("offer_skin");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* wrap = box->addButton(inWords(say("Lay a skin over it")), QMessageBox::AcceptRole);
+  box->setEscapeButton(box->addButton(inWords(say("Cancel")), QMessageBox::RejectRole));
+  box->setDefaultButton(wrap);
+  connect(
+      wrap, &QPushButton::clicked, this,
+      [this, body] {
+        if (atStart()) start_->leave();
+        session_->importBody(body, true);
+        refresh();
+      },
+      Qt::QueuedConnection);
   box->open();
 }
 

@@ -255,6 +255,7 @@ Result<ImportedBody> importedBody(const TriangleMesh& read, const std::string& f
   if (const auto done = stand(body, options, format); !done) return done.error();
   body.found = body.report = inspectTopology(body.mesh);
   if (!body.report.closed()) {
+    if (options.open) *options.open = !options.wrap;
     if (!options.wrap)
       return badInput(
           say("The body is not closed: {0} {0|edge is|edges are} open, {1} {1|is|are} shared by more than two "

@@ -7,6 +7,7 @@
 
 #include "karinui/design/drape.h"
 #include "karinui/design/history.h"
+#include "karinui/exchange/read_body.h"
 #include "karinui/session/session.h"
 
 namespace karinui {
@@ -101,7 +102,7 @@ Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path
 // `corner` is the upper right one; where it is not said the scan begins where pieces do.
 Done importScanInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
                     const std::optional<Flat>& corner, std::vector<Message>& notes);
-Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-                    std::vector<Message>& notes);
+Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const BodyReadOptions& options,
+                    const Token& token, std::vector<Message>& notes);
 
 }  // namespace karinui

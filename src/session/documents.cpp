@@ -19,38 +19,38 @@ void Session::Impl::leave() {
 }
 
 void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done,
-                             std::shared_ptr<std::vector<Message>> notes, std::filesystem::path opened) {
+                             std::shared_ptr<std::vector<Message>> notes, std::function<void(const Error&)> refused) {
   leave();
   ++longWorks;
-  tasks.add(TaskQueue::Kind::Step,
-            [this, work = std::move(work), done = std::move(done), notes, opened](const Token& token) {
-              Result<std::shared_ptr<DocumentWorker>> made = work(token);
-              const bool other = made && *made != documentWorker;
-              if (other) documentWorker = *made;
-              const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
-              std::optional<Error> why;
-              if (!made) why = made.error();
-              std::vector<Message> remarks;
-              if (other) remarks = documentWorker->file().remarks();
-              return [this, other, why, fresh, done, remarks, notes, opened] {
-                --longWorks;
-                if (other) {
-                  ++documents;
-                  table = TableLayout();
-                  selection = {};
-                  viewAsked = Command::ViewAll;
-                }
-                take(*fresh);
-                if (why && why->kind == Error::Kind::Damaged && !opened.empty()) damaged = opened;
-                if (why)
-                  tellError(*why);
-                else
-                  tell(Notice::Kind::Said, done);
-                if (!why && notes)
-                  for (const Message& note : *notes) tell(Notice::Kind::Said, note);
-                for (const Message& remark : remarks) tell(Notice::Kind::Said, remark);
-              };
-            });
+  tasks.add(TaskQueue::Kind::Step, [this, work = std::move(work), done = std::move(done), notes,
+                                    refused = std::move(refused)](const Token& token) {
+    Result<std::shared_ptr<DocumentWorker>> made = work(token);
+    const bool other = made && *made != documentWorker;
+    if (other) documentWorker = *made;
+    const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
+    std::optional<Error> why;
+    if (!made) why = made.error();
+    std::vector<Message> remarks;
+    if (other) remarks = documentWorker->file().remarks();
+    return [this, other, why, fresh, done, remarks, notes, refused] {
+      --longWorks;
+      if (other) {
+        ++documents;
+        table = TableLayout();
+        selection = {};
+        viewAsked = Command::ViewAll;
+      }
+      take(*fresh);
+      if (why && refused) refused(*why);
+      if (why)
+        tellError(*why);
+      else
+        tell(Notice::Kind::Said, done);
+      if (!why && notes)
+        for (const Message& note : *notes) tell(Notice::Kind::Said, note);
+      for (const Message& remark : remarks) tell(Notice::Kind::Said, remark);
+    };
+  });
 }
 
 std::shared_ptr<DocumentWorker> Session::Impl::workerOf(DocumentFile file, bool readOnly) {  // any thread
@@ -96,7 +96,10 @@ void Session::open(const std::filesystem::path& path) {
         if (!reading) return file.error();
         return in.workerOf(*std::move(reading), true);
       },
-      {}, {}, path);
+      {}, {},
+      [&in, path](const Error& why) {
+        if (why.kind == Error::Kind::Damaged) in.damaged = path;
+      });
 }
 
 std::optional<std::filesystem::path> Session::takeDamaged() { return std::exchange(impl_->damaged, std::nullopt); }
@@ -157,17 +160,27 @@ void Session::replayOn(SetBody body, const std::filesystem::path& path) {
       say("Made again for the new figure, as “{0}”.", path.filename().string()));
 }
 
-void Session::importBody(const std::filesystem::path& file) {
+void Session::importBody(const std::filesystem::path& file, bool wrap) {
   auto& in = *impl_;
+  const auto notes = std::make_shared<std::vector<Message>>();
+  const auto open = std::make_shared<bool>(false);
   in.longWork(
-      [&in, file](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
-        std::vector<Message> notes;
-        if (const Done done = importBodyInto(*in.documentWorker, file, token, notes); !done) return done.error();
+      [&in, file, wrap, notes, open](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
+        BodyReadOptions options;
+        options.wrap = wrap;
+        options.open = open.get();
+        if (const Done done = importBodyInto(*in.documentWorker, file, options, token, *notes); !done)
+          return done.error();
         return in.documentWorker;
       },
-      say("“{0}” was read.", file.filename().string()));
+      say("“{0}” was read.", file.filename().string()), notes,
+      [&in, file, open](const Error&) {
+        if (*open) in.openBody = file;
+      });
   in.viewAsked = Command::ViewAll;
 }
+
+std::optional<std::filesystem::path> Session::takeOpenBody() { return std::exchange(impl_->openBody, std::nullopt); }
 
 void Session::importPrint(const std::filesystem::path& file, SetLook look) {
   auto& in = *impl_;

@@ -41,9 +41,9 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
   return {};
 }
 
-Done bodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-              std::vector<Message>& notes) {
-  Result<ImportedBody> read = readBody(file, {}, documentWorker.workers(), token);
+Done bodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const BodyReadOptions& options,
+              const Token& token, std::vector<Message>& notes) {
+  Result<ImportedBody> read = readBody(file, options, documentWorker.workers(), token);
   if (!read) return read.error();
   notes = read->notes;
   Body::Parts parts;
@@ -99,9 +99,9 @@ Done importScanInto(DocumentWorker& documentWorker, const std::filesystem::path&
   return step ? Done() : Done(step.error());
 }
 
-Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-                    std::vector<Message>& notes) {
-  const Done done = bodyInto(documentWorker, file, token, notes);
+Done importBodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const BodyReadOptions& options,
+                    const Token& token, std::vector<Message>& notes) {
+  const Done done = bodyInto(documentWorker, file, options, token, notes);
   documentWorker.dropEmptyDraft();
   return done;
 }

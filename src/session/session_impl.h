@@ -38,10 +38,11 @@ struct Session::Impl {
   ViewCut viewCut;
   std::optional<Command> viewAsked;
   std::optional<Operation> asked;
-  std::optional<std::filesystem::path> damaged;  // that was not opened
-  bool poseStopped = false;                      // by the person, while the figure is on its way
-  bool past = false;                             // steps are being played again, and what is shown is from before
-  std::optional<Flat> drawnAt;                   // where the next new piece comes to lie on the table
+  std::optional<std::filesystem::path> damaged;   // that was not opened
+  std::optional<std::filesystem::path> openBody;  // that was not taken, for its surface has holes
+  bool poseStopped = false;                       // by the person, while the figure is on its way
+  bool past = false;                              // steps are being played again, and what is shown is from before
+  std::optional<Flat> drawnAt;                    // where the next new piece comes to lie on the table
   std::vector<Notice> notices;
   std::vector<std::string> dropMenuSaid;  // what a drop menu said before the step: it is not told again as advice
   SessionChanges changes;
@@ -145,9 +146,9 @@ struct Session::Impl {
   // documents.cpp
   void leave();  // another document comes: whatever was under way for the old one is over
   // Work that may replace the document or add many steps to it. `notes`: what it has to say besides.
-  // `opened`: of a damaged one it can be asked what to do (takeDamaged()).
+  // `refused`: what is to be asked then, besides being told.
   void longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done,
-                std::shared_ptr<std::vector<Message>> notes = {}, std::filesystem::path opened = {});
+                std::shared_ptr<std::vector<Message>> notes = {}, std::function<void(const Error&)> refused = {});
   std::shared_ptr<DocumentWorker> workerOf(DocumentFile file, bool readOnly);  // any thread
 
   mutable SnapshotPtr seen_, seenOf_;

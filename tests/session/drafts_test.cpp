@@ -87,15 +87,46 @@ TEST_F(Drafts, ARefusedFirstStepLeavesNoFile) {
   EXPECT_TRUE(fs::exists(drafts() / "Draft today.karinui")) << "and the next one is kept";
 }
 
+std::string objOf(const TriangleMesh& mesh) {
+  std::string obj;
+  for (const Vec3 p : mesh.points)
+    obj += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+  for (const Triangle& f : mesh.faces)
+    obj += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
+  return obj;
+}
+
+// A scan has holes: what is refused is offered with a skin, and what was done to it is told.
+TEST_F(Drafts, ABodyWithAHoleIsTakenWithASkinOverIt) {
+  TriangleMesh mesh = egg().mesh;
+  mesh.faces.erase(mesh.faces.begin() + static_cast<std::ptrdiff_t>(mesh.faces.size() / 2));
+  ASSERT_TRUE(writeFile(folder_ / "scan.obj", objOf(mesh)));
+  Session session(options());
+  session.importBody(folder_ / "scan.obj");
+  session.finish();
+  EXPECT_THAT(refused(session), testing::HasSubstr("not closed"));
+  EXPECT_EQ(session.takeOpenBody(), folder_ / "scan.obj");
+  EXPECT_FALSE(session.takeOpenBody()) << "told once";
+  EXPECT_FALSE(session.snapshot().body);
+  session.importBody(folder_ / "none.obj");
+  session.finish();
+  EXPECT_NE(refused(session), "");
+  EXPECT_FALSE(session.takeOpenBody()) << "no skin makes a file";
+  session.importBody(folder_ / "scan.obj", true);
+  session.finish();
+  std::string said;
+  for (const Notice& notice : session.takeNotices()) {
+    EXPECT_NE(notice.kind, Notice::Kind::Refused) << text(notice.what);
+    said += text(notice.what) + "\n";
+  }
+  EXPECT_THAT(said, testing::HasSubstr("Wrapped in a watertight skin"));
+  ASSERT_TRUE(session.snapshot().body);
+  EXPECT_FALSE(session.takeOpenBody());
+}
+
 TEST_F(Drafts, WhatIsImportedIntoAnEmptyWindowIsADraftOfItsName) {
   ASSERT_TRUE(writeFile(folder_ / "shirt.ops", kTwoPieces));
-  const Body::Parts parts = egg();
-  std::string obj;
-  for (const Vec3 p : parts.mesh.points)
-    obj += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
-  for (const Triangle& f : parts.mesh.faces)
-    obj += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
-  ASSERT_TRUE(writeFile(folder_ / "egg.obj", obj));
+  ASSERT_TRUE(writeFile(folder_ / "egg.obj", objOf(egg().mesh)));
   {
     Session session(options());
     session.importPattern(folder_ / "shirt.ops");

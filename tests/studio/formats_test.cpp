@@ -3,7 +3,9 @@
 
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QTest>
 #include <QTimer>
 #include <fstream>
 
@@ -113,6 +115,34 @@ TEST(StudioFormats, ADroppedFileStaysWhereItIs) {
   EXPECT_EQ(left.dropAction(), Qt::CopyAction);
   w.rest();
   EXPECT_TRUE(w.session().snapshot().document.pieceNamed("front"));
+}
+
+// A box without its lid, as a scan has holes: the skin that closes it is offered, and Escape leaves it.
+TEST(StudioFormats, ABodyWithHolesIsOfferedASkin) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  Folder folder;
+  const fs::path file = folder.path / "scan.obj";
+  std::ofstream(file) << "v -0.2 0 -0.15\nv 0.2 0 -0.15\nv 0.2 1.6 -0.15\nv -0.2 1.6 -0.15\n"
+                         "v -0.2 0 0.15\nv 0.2 0 0.15\nv 0.2 1.6 0.15\nv -0.2 1.6 0.15\n"
+                         "f 1 4 3 2\nf 5 6 7 8\nf 1 5 8 4\nf 2 3 7 6\nf 1 2 6 5\nf 4 8 7\n";
+  const auto offer = [&] {
+    drop(w.main(), file);
+    w.rest();
+    return w.main().findChild<QMessageBox*>("offer_skin");
+  };
+  QMessageBox* box = offer();
+  ASSERT_TRUE(box) << w.main().said().toStdString();
+  EXPECT_THAT(box->text().toStdString(), HasSubstr("scan.obj"));
+  QTest::keyClick(box, Qt::Key_Escape);
+  w.rest();
+  EXPECT_FALSE(w.session().snapshot().body);
+  box = offer();
+  ASSERT_TRUE(box);
+  QTest::mouseClick(box->defaultButton(), Qt::LeftButton);
+  w.rest();
+  ASSERT_TRUE(w.session().snapshot().body) << w.main().said().toStdString();
+  EXPECT_EQ(w.session().snapshot().body->name(), "scan");
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct BodyReadOptions {
   std::optional<LengthUnit> unit;  // guessed from the height when not given
   std::optional<UpAxis> up;        // found by the body's shape, else guessed, when not given
   bool wrap = false;               // put a watertight skin over a surface that is not closed
+  bool* open = nullptr;            // set where a surface is refused because it is not closed
   double wrapCell = 0.008;         // metres: finer keeps more detail and takes longer
   BodyReadLimits limits;
   std::filesystem::path helper;  // karinui-import; looked for beside the running program when empty

@@ -84,7 +84,9 @@ class Session {
   void saveAs(const std::filesystem::path& path);
   // Plays the steps of this document anew on another figure, into a new document at `path`.
   void replayOn(SetBody body, const std::filesystem::path& path);
-  void importBody(const std::filesystem::path& file);
+  // `wrap`: a surface with holes is closed by a watertight skin. Without it such a file is refused, and told once.
+  void importBody(const std::filesystem::path& file, bool wrap = false);
+  std::optional<std::filesystem::path> takeOpenBody();
   // A photograph (PNG or JPEG) as the print of a fabric or of pieces, as `look` says.
   void importPrint(const std::filesystem::path& file, SetLook look);
   // A scan or photograph of a paper pattern, laid under the flat pattern to be traced.
