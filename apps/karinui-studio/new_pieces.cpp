@@ -15,6 +15,7 @@
 
 #include "karinui/design/block_numbers.h"
 #include "karinui/design/edge_run.h"
+#include "karinui/design/glossary.h"
 #include "karinui/design/sewing.h"
 #include "karinui/design/variables.h"
 #include "karinui/pattern/elastic_lines.h"
@@ -307,7 +308,7 @@ void MainWindow::askBlock() {
   auto* size = new QComboBox;
   size->setObjectName("size");
   for (const std::string_view s : builtInSizes())
-    size->addItem(QString::fromUtf8(s.data(), static_cast<int>(s.size())).toUpper(),
+    size->addItem(inWords(termSaid(Term::Size, s).value_or(say("{0}", s))),
                   QByteArray(s.data(), static_cast<int>(s.size())));
   form->addRow(asLabel(say("Figure")), size);
   const OperationHelp& help = helpOf(Operation(DraftBlock{}));
@@ -343,6 +344,8 @@ void MainWindow::askBlock() {
     for (const std::string_view asked : {"kind", "ease", "length", "fabric"})
       if (field.name == asked) {
         fields->push_back(stepField(*document, help.name, field, asked == "kind" ? "shirt" : "", make));
+        if (auto* kinds = qobject_cast<QComboBox*>(fields->back().box); kinds && asked == "kind")
+          kinds->removeItem(kinds->findData("collar"));  // it is drafted for a neckline that is there
         auto* label = new QLabel(asLabel(fieldSaid(help.name, field.name)));
         label->setBuddy(fields->back().box);
         form->addRow(label, fields->back().box);

@@ -19,6 +19,7 @@
 
 #include "drafts.h"
 #include "file_filter.h"
+#include "karinui/design/glossary.h"
 #include "karinui/exchange/read_body.h"
 #include "main_window.h"
 #include "measures_file.h"
@@ -173,7 +174,7 @@ void MainWindow::askNew() {
   name->setMinimumWidth(name->fontMetrics().horizontalAdvance(name->placeholderText()) + kFrame);
   auto* size = new QComboBox;
   for (const std::string_view s : builtInSizes())
-    size->addItem(QString::fromUtf8(s.data(), static_cast<int>(s.size())).toUpper());
+    size->addItem(inWords(termSaid(Term::Size, s).value_or(say("{0}", s))));
   form->addRow(inWords(say("Name")), name);
   form->addRow(inWords(say("Figure")), size);
   auto* note = new QLabel(inWords(

@@ -768,7 +768,10 @@ TEST(StudioNewPieces, AShirtFromTheStartPage) {
   Numbers numbers(w, "block_dialog");
   ASSERT_TRUE(numbers);
   auto* size = numbers.dialog->findChild<QComboBox*>("size");
-  size->setCurrentIndex(size->findText("EU38"));
+  size->setCurrentIndex(size->findText("EU 38 (women)"));  // as on the board "Body"
+  ASSERT_EQ(size->currentData().toByteArray(), "eu38");
+  for (QComboBox* box : numbers.dialog->findChildren<QComboBox*>())
+    EXPECT_LT(box->findData("collar"), 0) << "there is no neckline yet";
   numbers.type("ease", "bust_grith/4");
   QTest::mouseClick(&numbers.make(), Qt::LeftButton);
   EXPECT_TRUE(numbers.dialog->isVisible()) << "nothing is begun with what cannot be";
