@@ -180,6 +180,7 @@ void SpaceView::frameAnew() {
   if (framedAs_) {
     walk_.stop();
     camera_ = framed(*framedAs_);
+    framedTall_ = tall();
   }
   cameraMoved(false);
 }
@@ -190,6 +191,7 @@ void SpaceView::look(View view) {
   framed_ = true;
   walkTo(to);
   framedAs_ = view;
+  framedTall_ = tall();
 }
 
 void SpaceView::turnTo(View view) {
@@ -266,8 +268,20 @@ void SpaceView::setTape(bool on) {
   refresh();
 }
 
+double SpaceView::tall() const {
+  const BodyPtr& body = session_.shown().body;
+  if (!body) return 0;
+  const auto& measured = body->measured().value;
+  const auto height = measured.find("height");
+  return height == measured.end() ? 0 : height->second;
+}
+
 void SpaceView::refresh() {
   if (!framed_ && session_.snapshot().body) look(View::Oblique);
+  constexpr double kOther = 0.1;  // a child's figure after a woman's, not the same one a little taller
+  if (const double now = tall(); framedAs_ && framedTall_ > 0 && now > 0 && !session_.begun() &&
+                                 std::abs(now - framedTall_) > kOther * framedTall_)
+    look(*framedAs_);
   const bool carried = !session_.preview().carried.empty();
   if (garmentShown_ != session_.changes().garment || carried) {
     moving_ = moving_ || carried || session_.begun() || session_.busy().settling || session_.busy().posing;

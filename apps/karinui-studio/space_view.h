@@ -94,6 +94,7 @@ class SpaceView : public QOpenGLWidget {
   void walkTo(const Camera& to);
   void cameraMoved(bool moving = true);  // false: a single step to another view
   Camera framed(View view) const;        // all of the fitting, in the part of the view that is free
+  double tall() const;                   // metres, the figure that is seen; 0: none, or not known
   void restSoon();                       // the still picture, when nothing has moved for a moment
   static void dim(SceneFrame& frame);
   void frameAnew();  // after the view's shape changed, unless it was turned, panned or zoomed
@@ -150,6 +151,7 @@ class SpaceView : public QOpenGLWidget {
   QTimer rest_;
   QVariantAnimation walk_;
   std::optional<View> framedAs_;
+  double framedTall_ = 0;  // metres, the figure then
   Held held_ = Held::Nothing;
   std::optional<QPointF> clicked_;  // where the right button went down; none once the mouse was dragged
   bool toolDown_ = false;           // the left button holds the tool, also while another turns the view

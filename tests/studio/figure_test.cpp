@@ -280,5 +280,34 @@ TEST(StudioFigure, TheListOfMeasuresIsOfTheFigureThatIsSeen) {
   w.rest();
 }
 
+// A man after a child would stand with his head out of the picture; who went near stays there.
+TEST(StudioFigure, AnotherFigureIsSeenWholeWhereNobodyWentNear) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  const auto figure = [&](const char* size) {
+    w.session().perform(*parseOperation(std::string("body size=") + size));
+    w.rest();
+  };
+  figure("child110");
+  w.view(View::Front);
+  const auto crown = [&] { return *w.space().onScreen({0, extent(w.session().snapshot().frame).high.y, 0}); };
+  const auto feet = [&] { return *w.space().onScreen({0, 0, 0}); };
+  const auto whole = [&] { return crown().y() > 0 && feet().y() < w.space().height(); };
+  ASSERT_TRUE(whole());
+  figure("eu50");
+  EXPECT_TRUE(whole()) << crown().y() << " " << feet().y();
+  w.session().command(Command::Undo);
+  w.rest();
+  EXPECT_TRUE(whole());
+  EXPECT_GT(feet().y() - crown().y(), w.space().height() / 2) << "and not small";
+  QWheelEvent nearer(QPointF(w.space().rect().center()), w.space().mapToGlobal(QPointF(w.space().rect().center())), {},
+                     {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&w.space(), &nearer);
+  w.rest();
+  const QPointF before = feet();
+  figure("eu50");
+  EXPECT_EQ(feet(), before);
+}
+
 }  // namespace
 }  // namespace karinui::studio
