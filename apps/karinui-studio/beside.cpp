@@ -108,7 +108,7 @@ void Beside::askFile(QWidget* window) {
                                                     filterReading("Karinui", {FileContent::Document}));
   if (path.isEmpty()) return;
   const std::filesystem::path file = path.toStdString();
-  show({file, say("{0}", file.stem().string())});
+  show({file, say("{0}", file.filename().string())});
 }
 
 void Beside::fill(QMenu& menu, QWidget* window) {

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <QComboBox>
+#include <QFileDialog>
 #include <QMenu>
+#include <QTimer>
 #include <fstream>
 
 #include "karinui/design/variant.h"
@@ -108,6 +110,28 @@ TEST(StudioBeside, AnotherGarmentIsChosenByItsFile) {
   await(w);
   EXPECT_FALSE(w.space().beside());
   EXPECT_THAT(w.main().said().toStdString(), testing::HasSubstr("none.karinui"));
+}
+
+// Words with a dot between them are an edge of a piece, but not in the name of a file.
+TEST(StudioBeside, AFileIsCalledByItsName) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Folder folder;
+  const fs::path other = folder.path / "first.sleeve.karinui";
+  fs::copy(w.session().path(), other);
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    watch.stop();
+    dialog->selectFile(QString::fromStdString(other.string()));
+    static_cast<QDialog*>(dialog)->accept();
+  });
+  watch.start(0);
+  chooseKind(w, "Another garment…");
+  ASSERT_TRUE(w.space().beside()) << w.main().said().toStdString();
+  EXPECT_EQ(inWords(besideOf(w).choices().back().words), "first.sleeve.karinui");
 }
 
 TEST(StudioBeside, ASizeStandsBesideTheOneThatIsWorkedOn) {
