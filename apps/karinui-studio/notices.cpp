@@ -34,7 +34,7 @@ Notices::Notices(QWidget* over, Drags drags) : QObject(over), over_(over), drags
 }
 
 void Notices::tell(Notice::Kind kind, const QString& words, bool long_) {
-  said_ << words;
+  if (said_.isEmpty() || said_.last() != words) said_ << words;  // a key held down crowds out nothing
   if (said_.size() > kMostKept) said_.removeFirst();
   // What is said again, and what was only said in passing, makes room.
   const std::deque<QLabel*> before = shown_;

@@ -3,8 +3,10 @@
 
 #include <QAccessible>
 #include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QToolBar>
@@ -346,6 +348,22 @@ TEST(StudioWindow, ARefusalGoesWithTheNextStep) {
   w.session().perform(*parseOperation("rename piece=front to=other")), w.rest();
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
   EXPECT_EQ(refusals(), 0);
+}
+
+TEST(StudioWindow, WhatIsSaidOverAndOverIsKeptOnce) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().perform(*parseOperation("rename piece=none to=other")), w.rest();
+  for (int k = 0; k < 60; ++k) w.session().perform(*parseOperation("remove piece=nobody")), w.rest();
+  w.main().findChild<QAction*>("what_was_said")->trigger();
+  auto* dialog = w.main().findChild<QDialog*>("said");
+  ASSERT_TRUE(dialog);
+  auto* list = dialog->findChild<QListWidget*>();
+  ASSERT_GE(list->count(), 2);
+  EXPECT_THAT(list->item(0)->text().toStdString(), HasSubstr("nobody"));
+  EXPECT_THAT(list->item(1)->text().toStdString(), HasSubstr("none"));
+  dialog->close();
 }
 
 }  // namespace
