@@ -77,7 +77,12 @@ void MainWindow::openPath(const QString& path) {
   const QString ending = QFileInfo(path).suffix().toLower();
   if (ending == "png" || ending == "jpg" || ending == "jpeg") return session_->importScan(file);
   const FileContent content = contentOf(file);
-  if (content == FileContent::None) return tell({Notice::Kind::Refused, unreadable(file).what});
+  if (content == FileContent::None) {
+    const Error why = unreadable(file, {FileContent::Document, FileContent::Body, FileContent::Pattern,
+                                        FileContent::Script, FileContent::Measures});
+    return tell({Notice::Kind::Refused,
+                 say("{0} Photographs (.png, .jpg, .jpeg) are laid under the pattern, to be traced.", why.what)});
+  }
   if (atStart()) start_->leave();  // it may be reading this very file
   if (content == FileContent::Document) {
     session_->open(file);

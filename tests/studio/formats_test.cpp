@@ -88,6 +88,8 @@ TEST(StudioFormats, ADroppedFileIsTakenByItsEndingInCapitalsAndAnUnknownOneTold)
   w.rest();
   EXPECT_THAT(w.main().said().toStdString(), HasSubstr("“body.stl” has none of the endings that are read here: "
                                                        "documents (.karinui), bodies (.glb, .obj, .gltf, .ply)"));
+  for (const char* also : {"measures (.measures", "Photographs (.png"})  // which are taken when they are dropped, too
+    EXPECT_THAT(w.main().said().toStdString(), HasSubstr(also));
   EXPECT_EQ(w.count(), before);
   drop(w.main(), folder.path / "X.OPS");
   w.rest();
