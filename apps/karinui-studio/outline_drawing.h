@@ -1,6 +1,9 @@
 #pragma once
 // A piece as it will be cut, with the length of each edge beside it. GUI thread.
+#include <QPainterPath>
 #include <QWidget>
+#include <utility>
+#include <vector>
 
 #include "karinui/design/document.h"
 
@@ -12,6 +15,12 @@ class OutlineDrawing : public QWidget {
   explicit OutlineDrawing(QWidget* parent = nullptr);
   void show(std::shared_ptr<const Piece> piece);  // null: nothing
   QSize sizeHint() const override { return {360, 190}; }
+  // In pixels: the paper, and what is said of each edge with the place above which it stands.
+  struct Drawn {
+    QPainterPath paper;
+    std::vector<std::pair<QPointF, QString>> words;
+  };
+  Drawn drawn() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
