@@ -117,7 +117,7 @@ Result<WardrobeGarment> drapeScript(const fs::path& script, const WardrobeSettin
   };
   auto document = drafted(*text, context);
   if (!document) return refused(document.error());
-  const bool atRest = document->drape.atRest();
+  const bool atRest = document->atRest();
   garment.draftSeconds = deadline.spent() - garment.cpuSeconds;
   garment.outOfTime = deadline.passed();
   if (!atRest && !deadline.passed()) {

@@ -95,7 +95,7 @@ TEST(StoppedDrape, WhatIsFrozenIsNotWaitedFor) {
   };
   ASSERT_TRUE(room.play(file, "drape\n"));
   EXPECT_TRUE(file.document().atRest());
-  EXPECT_FALSE(file.document().drape.atRest());
+  EXPECT_FALSE(file.document().drape.dirty.empty());
   ASSERT_TRUE(room.play(file, "freeze piece=label frozen=no\n"));
   EXPECT_FALSE(file.document().atRest());
   ASSERT_EQ(file.document().unrested().size(), 1u);

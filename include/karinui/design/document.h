@@ -67,8 +67,6 @@ struct DrapeInfo {
   std::vector<Vec3> force;           // newtons along the path, if the last drape was a pull
   std::set<PieceId> dirty;           // pieces that changed (or moved) since they were last brought to rest
   std::vector<RestedInPose> rested;  // the newest first, kMostRested at the most
-
-  bool atRest() const { return last && last->settled && dirty.empty(); }  // what is frozen, too
 };
 
 struct Document {

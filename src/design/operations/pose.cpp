@@ -108,8 +108,8 @@ std::string restKey(Document document) {
 // The document with what it is remembered by, if it is at rest.
 std::vector<RestedInPose> restedWith(const Document& document) {
   std::vector<RestedInPose> rested = document.drape.rested;
-  const DrapeInfo& drape = document.drape;
-  if (!drape.atRest() || document.pattern.pieces.empty()) return rested;
+  const bool changed = !document.drape.dirty.empty();  // what is frozen, too
+  if (!document.atRest() || changed || document.pattern.pieces.empty()) return rested;
   RestedInPose now{restKey(document), {}};
   for (const auto& [id, piece] : document.pattern.pieces) {
     if (!piece->form || piece->pose != Rigid()) return rested;
