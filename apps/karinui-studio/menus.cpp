@@ -24,12 +24,10 @@ namespace karinui::studio {
 
 namespace {
 
-// At once, so that a window that is opened beside this one looks like it.
-void keepAppearance() {
+// At once, so that a window that is opened beside this one looks like it; and nothing but what was chosen.
+void keepChosen(const char* key, const QVariant& value) {
   QSettings settings;
-  settings.setValue("inches", Theme::here().inches());
-  settings.setValue("dark", Theme::here().dark());
-  settings.setValue("language", Theme::here().language() == Language::Japanese ? "ja" : "en");
+  settings.setValue(key, value);
   settings.sync();
 }
 
@@ -296,14 +294,14 @@ void MainWindow::makeMenus() {
   viewMenu_->addSeparator();
   QAction* dark = add(viewMenu_, say("Dark"), "", "", [] {
     Theme::here().setDark(!Theme::here().dark());
-    keepAppearance();
+    keepChosen("dark", Theme::here().dark());
   });
   dark->setObjectName("dark");
   dark->setCheckable(true);
   dark->setChecked(Theme::here().dark());
   QAction* inches = add(viewMenu_, say("Inches"), "", "", [] {
     Theme::here().setInches(!Theme::here().inches());
-    keepAppearance();
+    keepChosen("inches", Theme::here().inches());
   });
   inches->setCheckable(true);
   inches->setChecked(Theme::here().inches());
@@ -338,12 +336,12 @@ void MainWindow::makeMenus() {
   Theme::here().keep(english, tick);
   connect(english, &QAction::triggered, this, [] {
     Theme::here().setLanguage(Language::English);
-    keepAppearance();
+    keepChosen("language", "en");
   });
   connect(japanese, &QAction::triggered, this, [this, tick] {
     if (const auto why = japaneseTrouble()) return tick(), session_->refuse(notFound(*why));
     Theme::here().setLanguage(Language::Japanese);
-    keepAppearance();
+    keepChosen("language", "ja");
   });
 
   QMenu* help = menu(say("Help"));

@@ -150,11 +150,13 @@ TEST(StudioTyped, WhatIsChosenForTheWindowIsKeptAtOnce) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   const auto kept = [](const char* key) { return QSettings().value(key).toString().toStdString(); };
+  for (const char* key : {"dark", "inches", "language"}) QSettings().remove(key);
   for (const auto& [action, key] : {std::pair{"dark", "dark"}, {"inches", "inches"}}) {
     w.main().findChild<QAction*>(action)->trigger();
     EXPECT_EQ(kept(key), "true") << key;
     w.main().findChild<QAction*>(action)->trigger();
     EXPECT_EQ(kept(key), "false") << key;
+    EXPECT_FALSE(QSettings().contains("language")) << "that of the desktop is followed on";
   }
   w.main().findChild<QAction*>("japanese")->trigger();
   EXPECT_EQ(kept("language"), "ja");
