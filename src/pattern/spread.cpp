@@ -259,7 +259,11 @@ class Slashing {
     const Curve& curve = edges_[k].curve;
     if (k != from_ && k != to_) {
       const bool ahead = (k + edges_.size() - from_) % edges_.size() < (to_ + edges_.size() - from_) % edges_.size();
-      return parts_.motion(ahead)(curve);
+      const Curve moved = parts_.motion(ahead)(curve);
+      for (const bool first : {true, false})
+        if (const auto atStart = sharesCorner(k, first))
+          return atCorner(edges_[k].name, moved, !*atStart, middleOf(first ? a_ : b_));
+      return moved;
     }
     // The edge where the slash begins goes on from the part behind into the one ahead, the other one back.
     const bool first = k == from_;
@@ -271,12 +275,25 @@ class Slashing {
     if (at > 0) parts.push_back(before(at == 1 ? curve : curve.part(0, t))), from.push_back(0);
     if (at < 1) parts.push_back(after(at == 0 ? curve : curve.part(t, 1))), from.push_back(at);
     if ((first ? slash_.by : slash_.toBy) == 0 && parts.size() == 1) return parts.front();  // hinged in a corner
-    if (parts.size() == 1) return atCorner(edges_[k].name, parts.front(), at == 1, (at == 1 ? after : before)(corner));
+    if (parts.size() == 1)
+      return atCorner(edges_[k].name, parts.front(), at == 1,
+                      slash_.shared ? middleOf(corner) : (at == 1 ? after : before)(corner));
     parts[0].end = before(corner), parts[1].start = after(corner);
     const Led now = led(parts, from, rounded());
     keepMap(edges_[k].name, now);
     return now.curve;
   }
+
+  // Whether an edge has half of the opening in the corner where the slash begins (ends): at its own start, or its end.
+  std::optional<bool> sharesCorner(std::size_t k, bool first) const {
+    const std::size_t n = edges_.size(), named = first ? from_ : to_;
+    const double at = first ? at_ : toAt_;
+    if (!slash_.shared || (first ? slash_.by : slash_.toBy) == 0) return std::nullopt;
+    if (at == 1 && k == (named + 1) % n) return true;
+    if (at == 0 && k == (named + n - 1) % n) return false;
+    return std::nullopt;
+  }
+  Flat middleOf(Flat corner) const { return lerp(parts_.motion(true)(corner), parts_.motion(false)(corner), 0.5); }
 
   // An edge at whose end the slash lies takes the opening on.
   Curve atCorner(const std::string& name, const Curve& part, bool atEnd, Flat other) {

@@ -38,6 +38,33 @@ spread from=skirt.hem to=skirt.waist by=3cm count=)") +
   }
 }
 
+// A slash on the fold is one slash, also where it ends in a corner, as between the two halves of a hem. What was
+// recorded before that was asked is opened on both halves.
+TEST(SlashAndSpread, OpensTheFoldOnce) {
+  for (const char* hem : {"hem_left to_at=0", "hem_right to_at=1"}) {
+    DocumentFile file = DocumentFile::inMemory();
+    const std::string spread = std::string("spread from=back.top at=0.5 by=8cm to_by=8cm to=back.") + hem;
+    ASSERT_TRUE(room().play(file, R"(piece name=back outline="M 0 0; hem_left L 300 0; side_left L 300 500; )"
+                                  R"(top L -300 500; side_right L -300 0; hem_right L 0 0")"
+                                  "\n"));
+    const Document flat = file.document();
+    const auto played = room().play(file, spread + "\n");
+    ASSERT_TRUE(played) << text(played.error().what);
+    const Piece& piece = named(file, "back");
+    EXPECT_NEAR(findEdge(piece, "top")->curve.length(), 0.68, 1e-6) << hem;
+    EXPECT_NEAR(findEdge(piece, "hem_left")->curve.length(), 0.34, 1e-6) << hem;
+    EXPECT_NEAR(findEdge(piece, "hem_right")->curve.length(), 0.34, 1e-6) << hem;
+    const auto symmetry = symmetryOf(piece.outline);
+    ASSERT_TRUE(symmetry) << hem;
+    EXPECT_NEAR(symmetry->through.u, 0, 1e-9) << hem;
+    room().context.recorded = true;
+    const auto old = apply(flat, op(spread + " symmetric=yes"), room().context);
+    room().context.recorded = false;
+    ASSERT_TRUE(old);
+    EXPECT_NEAR(findEdge(*old->pieceNamed("back"), "hem_left")->curve.length(), 0.38, 1e-6) << hem;
+  }
+}
+
 // The copy's drill holes, lines and pins are where the piece's are, mirrored.
 TEST(SlashAndSpread, DoesTheSameToTheSymmetricCopy) {
   DocumentFile file = DocumentFile::inMemory();

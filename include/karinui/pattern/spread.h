@@ -14,6 +14,7 @@ struct Slash {
   double at = 0.5, toAt = 0.5;  // where the slash begins and ends on them
   double by = 0.03, toBy = 0;   // how wide it opens there, straight across: both alike is parallel, 0 is a hinge
   bool smooth = true;           // the edges run on in a curve over the opening; no: in straight lines
+  bool shared = false;          // of an opening in a corner both edges there get a half, not all of it the named one
   enum class Stays {
     Larger,   // the larger part; the other is moved
     Ahead,    // the part from the slash's beginning on along the outline

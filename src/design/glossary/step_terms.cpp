@@ -208,6 +208,7 @@ TermTable fieldTerms() {
       {"none", say("Takes it out")},
       {"offset", say("In from the edge")},
       {"on", say("Sewn to")},
+      {"once", say("One slash on the fold")},
       {"open", say("Edges left open")},
       {"of", say("As long as these edges")},
       {"outline", say("Outline")},

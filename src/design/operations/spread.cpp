@@ -50,15 +50,35 @@ std::vector<Slash> slashesOf(const SlashAndSpread& op) {
   return all;
 }
 
-bool crossItsImage(const Outline& outline, const PaperSymmetry& symmetry, const Slash& slash) {
+// On the fold, and in a corner there: its image has the same places, and may have them on the edges beside.
+bool inCornerOfFold(const Outline& outline, const Slash& slash, const Slash& image) {
+  constexpr double kOne = 1e-4, kCorner = 1e-3;  // metres
+  const auto curve = [&](const std::string& edge) { return outline.edges[*outline.find(edge)].curve; };
+  const auto cornered = [&](const std::string& edge, double at) {
+    return std::min(at, 1 - at) * curve(edge).length() < kCorner;
+  };
+  return (cornered(slash.from, slash.at) || cornered(slash.to, slash.toAt)) &&
+         distance(curve(slash.from).atFraction(slash.at), curve(image.from).atFraction(image.at)) < kOne &&
+         distance(curve(slash.to).atFraction(slash.toAt), curve(image.to).atFraction(image.toAt)) < kOne;
+}
+
+bool anyInCornerOfFold(const Piece& piece, const std::vector<Slash>& slashes) {
+  const auto symmetry = symmetryOf(piece.outline);
+  return symmetry && std::any_of(slashes.begin(), slashes.end(), [&](const Slash& slash) {
+           const auto image = imageOf(piece.outline, *symmetry, slash);
+           return image && inCornerOfFold(piece.outline, slash, *image);
+         });
+}
+
+bool crossItsImage(const Outline& outline, const PaperSymmetry& symmetry, const Slash& slash, bool once) {
   const auto image = imageOf(outline, symmetry, slash);
-  if (!image) return false;
+  if (!image || (once && inCornerOfFold(outline, slash, *image))) return false;
   if (samePlace(slash, *image)) return !same(slash, *image) && slash.by != slash.toBy;
   return meet(outline, slash, *image);
 }
 
 // Those of a symmetric piece on both of its halves; of one on the fold both parts are moved.
-std::vector<Slash> onBothHalves(const Outline& outline, const std::vector<Slash>& slashes) {
+std::vector<Slash> onBothHalves(const Outline& outline, const std::vector<Slash>& slashes, bool once) {
   const auto symmetry = *symmetryOf(outline);
   std::vector<Slash> all;
   const auto add = [&](const Slash& slash) {
@@ -67,8 +87,10 @@ std::vector<Slash> onBothHalves(const Outline& outline, const std::vector<Slash>
   };
   for (Slash slash : slashes) {
     const Slash image = *imageOf(outline, symmetry, slash);
-    if (same(slash, image)) slash.stays = Slash::Stays::Neither;
-    add(slash), add(image);
+    slash.shared = once && inCornerOfFold(outline, slash, image);
+    if (slash.shared || same(slash, image)) slash.stays = Slash::Stays::Neither;
+    add(slash);
+    if (!slash.shared) add(image);
   }
   return all;
 }
@@ -164,9 +186,11 @@ Done resolve(const Document& before, SlashAndSpread& op, Context& context) {
     keepOpening(before, piece, op, context);
     return {};
   }
+  if (op.once == Choice::Auto && !context.recorded && anyInCornerOfFold(piece, slashes)) op.once = Choice::Yes;
   const auto symmetry = symmetryOf(piece.outline);
-  if (symmetry && std::any_of(slashes.begin(), slashes.end(),
-                              [&](const Slash& slash) { return crossItsImage(piece.outline, *symmetry, slash); })) {
+  if (symmetry && std::any_of(slashes.begin(), slashes.end(), [&](const Slash& slash) {
+        return crossItsImage(piece.outline, *symmetry, slash, op.once == Choice::Yes);
+      })) {
     if (op.symmetric == Choice::Yes)
       return refused(say("On both halves the slashes would cross; write symmetric=no for one alone."));
     op.symmetric = Choice::No;
@@ -192,7 +216,7 @@ Result<Document> perform(const Document& before, const SlashAndSpread& op, Conte
   const PieceId id = op.from.piece.id;
   const Piece& piece = *before.find(id);
   std::vector<Slash> slashes = slashesOf(op);
-  if (op.symmetric == Choice::Yes) slashes = onBothHalves(piece.outline, slashes);
+  if (op.symmetric == Choice::Yes) slashes = onBothHalves(piece.outline, slashes, op.once == Choice::Yes);
   const AllowancePlan kinds(before.pattern, before.allowances);
   const auto kept = [&](const std::string& edge) {
     return op.keep.empty() ? kinds.kind(id, edge) == EdgeKind::Fold : edge == op.keep;

@@ -235,6 +235,7 @@ struct SlashAndSpread {
   bool smooth = true;
   std::string keep;
   Choice symmetric = Choice::Auto;
+  Choice once = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("from", self.from, "the edge, or the part of it, from which the paper is slashed", kNeeded);
@@ -251,6 +252,10 @@ struct SlashAndSpread {
           "the larger part)",
           kOptional);
     visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+    visit("once", self.once,
+          "a slash on the fold that ends in a corner is one slash of both halves, and each gets half of its opening: "
+          "auto, yes, no (auto: yes, but no in a record that does not have it)",
+          kOptional);
   }
   bool operator==(const SlashAndSpread&) const = default;
 };
