@@ -274,6 +274,7 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
   step.operation = *std::move(settled);
   if (auto* drape = std::get_if<DrapePieces>(&step.operation); drape && worked.after.drape.last->stoppedAfter > 0)
     drape->stop = static_cast<int>(worked.after.drape.last->stoppedAfter);
+  if (auto* drape = std::get_if<DrapePieces>(&step.operation); drape && own.drapedFiner) drape->finer = true;
   step.chain = chained(parent ? parent->chain : std::string(), step.operation);
   step.before = parent ? parent->after : hash(before);
   step.after = hash(worked.after);

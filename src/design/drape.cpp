@@ -43,23 +43,25 @@ Result<ClothLevel> levelAt(const Document& document, const std::set<PieceId>& li
   return ClothLevel{std::move(*cloth), std::move(state)};
 }
 
+constexpr double kWidest = 4;       // times the document's spacing: the cells of the first level
 constexpr double kCoarsest = 0.09;  // metres: cloth of wider cells does not know an arm from a shoulder
 
 // 4, 2 and 1 times the document's spacing; a level that some piece is too small for, or that is too coarse for a body,
-// is left out. Wide cells do not know the layers of a pleat, nor the waves of a gather, from each other: cloth that
-// stands folded has the finest level alone.
-Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live) {
+// is left out, and with `finer` the widest. Wide cells do not know the layers of a pleat, nor the waves of a gather,
+// from each other: cloth that stands folded has the finest level alone.
+Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live, bool finer) {
   Levels levels;
   Result<ClothLevel> finest = levelAt(document, live, document.settings.spacing);
   if (!finest) return finest.error();
   if (layGathersInWaves(finest->cloth, finest->state.position)) finest->cloth.pleated = true;
   const bool pleated = finest->cloth.pleated || !pleatsOf(document.pattern).empty();
-  for (const double times : {4.0, 2.0}) {
+  for (const double times : {kWidest, kWidest / 2}) {
     if (pleated || times * document.settings.spacing > kCoarsest) continue;
     if (Result<ClothLevel> level = levelAt(document, live, times * document.settings.spacing)) {
       levels.coarseFirst.push_back(std::move(*level));
     }
   }
+  if (finer && !levels.coarseFirst.empty()) levels.coarseFirst.erase(levels.coarseFirst.begin());
   levels.coarseFirst.push_back(std::move(*finest));
   return levels;
 }
@@ -228,11 +230,18 @@ Result<Standing> standingCloth(const Document& document, const std::set<PieceId>
   return Standing{std::move(level->cloth), std::move(level->state)};
 }
 
-Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
-                                 const DrapeOnlooker& onlooker, bool continueAfterRest) {
+namespace {
+
+// Whether the cloth was given up, as wide cells had sewn it up with a limb through it.
+bool sewnRoundLimb(const SettleReport& report) {
+  return !report.settled && report.stoppedAfter == 0 && report.why.pattern.starts_with("The body goes through “{0}”");
+}
+
+Result<DrapeOutcome> drapedOnce(const Document& document, const DrapePieces& drape, Context& context,
+                                const DrapeOnlooker& onlooker, bool continueAfterRest) {
   const auto around = surroundingsOf(document, context);
   if (!around) return around.error();
-  Result<Levels> levels = levelsOf(document, livePieces(document, drape.live));
+  Result<Levels> levels = levelsOf(document, livePieces(document, drape.live), drape.finer);
   if (!levels) return levels.error();
   const Result<BodyPtr> body = bodyOf(document, context);
   if (!body) return body.error();
@@ -258,6 +267,24 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
       settle(levels->coarseFirst, around->list(), settings, context.token, context.workers, watcher);
   if (!report) return report.error();
   return DrapeOutcome{formsLeft(levels->finest().cloth, levels->finest().state), told(*report, *around->body), {}};
+}
+
+}  // namespace
+
+Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
+                                 const DrapeOnlooker& onlooker, bool continueAfterRest) {
+  auto outcome = drapedOnce(document, drape, context, onlooker, continueAfterRest);
+  if (!outcome || !sewnRoundLimb(outcome->report)) return outcome;
+  // A record says itself whether it began anew. Without two coarse levels none would be left to notice the limb.
+  if (context.recorded || drape.finer || drape.stop > 0 || kWidest * document.settings.spacing > kCoarsest)
+    return outcome;
+  DrapePieces again = drape;
+  again.finer = true;
+  auto finer = drapedOnce(document, again, context, onlooker, continueAfterRest);
+  if (!finer) return finer.error();
+  if (!finer->report.settled) return outcome;
+  finer->finer = true;
+  return finer;
 }
 
 Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull, Context& context) {

@@ -151,6 +151,7 @@ TermTable fieldTerms() {
       {"extra", say("Lap beyond the seam")},
       {"fabric", say("Fabric")},
       {"finish", say("Surface")},
+      {"finer", say("Sewn up in finer cells")},
       {"first", say("From the end to the first")},
       {"facings", say("Facings with it")},
       {"flared", say("Cut to lie on it")},

@@ -16,11 +16,17 @@ struct DrapePieces {
   std::vector<PieceRef> live;
   Vec3 gravity{0, -9.81, 0};
   int stop = 0;
+  bool finer = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("live", self.live, "the pieces that move (otherwise every piece that is not frozen)", kOptional);
     visit("gravity", self.gravity, "metres per second squared (x,y,z)", kOptional);
     visit("stop", self.stop, "after how many of the solver's steps to stop where the cloth is (0: at rest)", kOptional);
+    visit(
+        "finer", self.finer,
+        "yes: without the widest of the cells the cloth is sewn up in; recorded where those had sewn it up with a limb "
+        "through it",
+        kOptional);
   }
   bool operator==(const DrapePieces&) const = default;
 };
