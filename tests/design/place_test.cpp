@@ -243,6 +243,21 @@ TEST_F(Placed, ABandGoesRoundWhatItsRunGoesRound) {
   }
 }
 
+// Half a cape whose neckline is drawn for the neck goes round it, and not round the neck and two centimetres of ease.
+TEST_F(Placed, AConeThatIsTooTightSaysThatEaseIsInTheWay) {
+  const auto placed = [&](const char* ease) {
+    auto file = DocumentFile::inMemory();
+    const Done done =
+        room().play(file, std::string("body size=jis9ar\nring name=cape inner=\"neck_base_girth/2 + 2cm\" "
+                                      "angle=160deg depth=40cm\n"
+                                      "place piece=cape at=torso:neck_base@0.25 ease=") +
+                              ease + "\n");
+    return done ? std::string() : text(done.error().what);
+  };
+  EXPECT_NE(placed("3cm").find("less ease"), std::string::npos) << placed("3cm");
+  EXPECT_EQ(placed("2mm"), "");
+}
+
 // A block that is worn over another garment stands off its cloth.
 TEST_F(Placed, ABlockStandsOverWhatIsWorn) {
   const auto standing = [&](const char* over) {

@@ -133,8 +133,8 @@ Result<Cone> coneRound(const RingSector& sector, const LimbFrame& limb, const st
   auto found = hung(off);
   if (found.first == 0)
     return refused(
-        say("The inner edge of this ring would have to be {0} mm long to go round there; it is {1} mm for a "
-            "whole turn. Draw it longer, or of more pieces.",
+        say("To go round there with its ease this ring, carried on to a whole circle, would need an inner edge of {0} "
+            "mm; it has {1} mm. Draw the edge longer or the sector narrower, or place it with less ease.",
             fixed(perimeter(grown(waist, ease)) * 1000, 0), fixed(kFullTurn * sector.inner * 1000, 0)));
   if (found.second.total < needed) {
     double low = ease, high = kFurthest;
