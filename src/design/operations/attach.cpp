@@ -189,6 +189,10 @@ std::optional<BodyPoint> placeOn(const Body& body, BodyPoint::Part part, Vec3 wi
         least = distance(skin, wished), best = place;
     }
   }
+  if (best) {  // in thousandths, to be read in a record
+    best->along = std::round(best->along * 1000) / 1000;
+    best->around = std::fmod(std::round(best->around * 1000) / 1000, 1);
+  }
   return best;
 }
 
