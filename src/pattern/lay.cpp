@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
 #include "border_plan.h"
 #include "karinui/base/hash.h"
 #include "karinui/pattern/lattice.h"
+#include "karinui/pattern/pleats.h"
 #include "kept_lattices.h"
 #include "piece_lattice.h"
 #include "words.h"
@@ -106,6 +108,33 @@ class TieMaker {
       if (pleated.contains({ties[end].pieceA, ties[end].a})) freed.insert(beside);
     for (auto at = freed.rbegin(); at != freed.rend(); ++at)
       ties.erase(ties.begin() + static_cast<std::ptrdiff_t>(*at));
+  }
+
+  // Where what is turned back is faced, facing and piece go round the fold together, the one outside the other. Held
+  // where the fold runs out at their seam, the outer of two layers as long as each other could not pass round the
+  // inner.
+  void freeEndsOfFolds(const Pattern& pattern, const LaidPattern& laid) {
+    constexpr double kTurnedBack = 2.6;  // radians: 150 degrees
+    constexpr double kFree = 1.2;        // spacings
+    constexpr double kSameEnd = 1e-3;    // metres
+    std::map<PieceId, std::vector<Flat>> ends;
+    for (const auto& [id, piece] : pattern.pieces)
+      for (const InternalLine& line : piece->lines)
+        if (line.crease && std::abs(line.crease->angle) > kTurnedBack && !line.curves.empty())
+          ends[id].insert(ends[id].end(), {line.curves.front().start, line.curves.back().end});
+    for (const PaperPleat& pleat : pleatsOf(pattern))  // these are held in their own layers
+      for (const Flat own : {pleat.fold, pleat.inner, pleat.place})
+        std::erase_if(ends[pleat.piece], [&](Flat end) { return distance(end, own) < kSameEnd; });
+    const auto atFold = [&](PieceId id, std::uint32_t node) {
+      const auto own = ends.find(id);
+      return own != ends.end() && std::any_of(own->second.begin(), own->second.end(), [&](Flat end) {
+               return distance(laid.lattices.at(id)->nodes[node], end) < kFree * laid.spacing;
+             });
+    };
+    std::erase_if(ties, [&](const SeamTie& tie) {
+      return tie.pieceA != tie.pieceB && pattern.seams.at(tie.seam).tie == Seam::Tie::Pleat &&
+             (atFold(tie.pieceA, tie.a) || atFold(tie.pieceB, tie.b));
+    });
   }
 
   std::vector<SeamTie> ties;
@@ -323,6 +352,7 @@ Result<LaidPattern> tryLay(const Pattern& pattern, const BorderPlan& plan, doubl
   for (const auto& joined : plan.joined())
     if (joined.seam) maker.sew(joined);
   maker.freeCornersOfPleats(pattern);
+  maker.freeEndsOfFolds(pattern, laid);
   laid.ties = std::move(maker.ties);
   return laid;
 }

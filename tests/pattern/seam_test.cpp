@@ -17,6 +17,30 @@ Seam seamOf(std::uint64_t id, std::vector<EdgeSpan> a, std::vector<EdgeSpan> b) 
   return seam;
 }
 
+// Of a front and its facing, turned back along a line, the one goes round the fold outside the other.
+TEST(Seam, ofAFacingIsFreeWhereAFoldRunsOut) {
+  const auto freedAt = [](double angle, Seam::Tie tie) {
+    Piece front = pieceOf(1, rectangle(0.3, 0.5));
+    front.lines.push_back({"roll", {Curve::line({0.2, 0}, {0.2, 0.5})}, {}});
+    front.lines.back().crease = Crease{angle, 0.9};
+    Pattern pattern = patternOf({front, pieceOf(2, rectangle(0.3, 0.1, {0, 0.4}))});
+    Seam& seam = pattern.seams[{1}] = seamOf(1, {{{1}, "top", 0, 1}}, {{{2}, "top", 0, 1}});
+    seam.reversed = false, seam.tie = tie;
+    const auto laid = lay(pattern, 0.02);
+    EXPECT_TRUE(laid);
+    std::set<double> open;  // of the nodes of the edge
+    const Lattice& own = *laid->lattices.at({1});
+    for (const std::uint32_t node : own.edges.at("top").nodes) open.insert(own.nodes[node].u);
+    for (const SeamTie& held : laid->ties) open.erase(own.nodes[held.a].u);
+    return open;
+  };
+  const std::set<double> free = freedAt(Crease::kSharpest, Seam::Tie::Pleat);
+  EXPECT_GE(free.size(), 2u);
+  for (const double u : free) EXPECT_NEAR(u, 0.2, 0.024 + 1e-9);
+  EXPECT_TRUE(freedAt(1.6, Seam::Tie::Pleat).empty()) << "no more than a hem stands off";
+  EXPECT_TRUE(freedAt(Crease::kSharpest, Seam::Tie::OneToOne).empty()) << "two pieces that go on from each other";
+}
+
 TEST(Seam, sidesGetEqualCountsAndEndsMeet) {
   Pattern pattern = patternOf({pieceOf(1, rectangle(0.3, 0.5)), pieceOf(2, rectangle(0.3, 0.52, {1, 0}))});
   pattern.seams[{1}] = seamOf(1, {{{1}, "right", 0, 1}}, {{{2}, "left", 0, 1}});
