@@ -190,7 +190,10 @@ Result<std::optional<CascadeStart>> Cascade::descend(const CascadeStart& start) 
     }
     const std::vector<Vec3> forceAfter = activation_.empty() || ended() ? std::vector<Vec3>() : solver.internalForces();
     positions = finish(solver, colliders_, settings_, end, report, workers_);
-    if (givenUp_ && !stopped_) report.why = *givenUp_;
+    if (givenUp_ && !stopped_) {
+      report.why = givenUp_->why;
+      report.throughBody = givenUp_->throughBody;
+    }
     if (!activation_.empty() && !ended())
       report.toActivate = activation_.piecesToActivate(forceBefore, forceAfter, positions, colliders_, settings_,
                                                        kActivationMove, token_, workers_);
@@ -288,14 +291,15 @@ std::optional<CascadeStart> Cascade::wentWrong(Level& level, const CascadeStart&
   return anew;
 }
 
-std::optional<Message> Cascade::hopeless(const Level& level, const CascadeStart& start, const StageResult& end) const {
+std::optional<Cascade::GivenUp> Cascade::hopeless(const Level& level, const CascadeStart& start,
+                                                  const StageResult& end) const {
   const Cloth& cloth = level.cloth;
   if (const double gap = widestGap(cloth, positions); start.sewing == CascadeStart::Sewing::FreeAfterAll && !sewn_ &&
                                                       gap > kNeverCloses && strainOf(cloth, positions).max > kSnagged)
-    return openSeam(cloth, positions, gap);
+    return GivenUp{openSeam(cloth, positions, gap), false};
   if (end.settled || start.formed) return std::nullopt;
   if (const Penetration most = deepestPenetration(cloth, colliders_, positions, workers_); most.depth > kGrownThrough)
-    return throughBody(most);
+    return GivenUp{throughBody(most), true};
   return std::nullopt;
 }
 

@@ -36,6 +36,10 @@ class Cascade {
   std::vector<Vec3> positions;
 
  private:
+  struct GivenUp {
+    Message why;
+    bool throughBody = false;
+  };
   struct Level;
 
   // Where a level stands before its first step: `linear` alone on the first.
@@ -47,7 +51,7 @@ class Cascade {
   std::optional<CascadeStart> wentWrong(Level& level, const CascadeStart& start) const;
   // Why finer levels would only spend time, after a coarse one that is not begun anew: a seam that stays wide open, or
   // the body through cloth that found no rest.
-  std::optional<Message> hopeless(const Level& level, const CascadeStart& start, const StageResult& end) const;
+  std::optional<GivenUp> hopeless(const Level& level, const CascadeStart& start, const StageResult& end) const;
   void count(const StageResult& stage);
   bool ended() const { return stopped_ || givenUp_; }
 
@@ -61,7 +65,7 @@ class Cascade {
   BoundaryActivation activation_;
   std::size_t first_ = 0;  // level of this descent
   bool sewn_ = false, stopped_ = false;
-  std::optional<Message> givenUp_;
+  std::optional<GivenUp> givenUp_;
 };
 
 }  // namespace karinui

@@ -272,9 +272,11 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
   step.parent = parent ? parent->seq : 0;
   step.serial = worked.after.operations;
   step.operation = *std::move(settled);
-  if (auto* drape = std::get_if<DrapePieces>(&step.operation); drape && worked.after.drape.last->stoppedAfter > 0)
-    drape->stop = static_cast<int>(worked.after.drape.last->stoppedAfter);
-  if (auto* drape = std::get_if<DrapePieces>(&step.operation); drape && own.drapedFiner) drape->finer = true;
+  if (auto* drape = std::get_if<DrapePieces>(&step.operation)) {
+    const SettleReport& last = *worked.after.drape.last;
+    if (last.stoppedAfter > 0) drape->stop = static_cast<int>(last.stoppedAfter);
+    if (last.finer) drape->finer = true;
+  }
   step.chain = chained(parent ? parent->chain : std::string(), step.operation);
   step.before = parent ? parent->after : hash(before);
   step.after = hash(worked.after);

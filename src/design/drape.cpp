@@ -232,11 +232,6 @@ Result<Standing> standingCloth(const Document& document, const std::set<PieceId>
 
 namespace {
 
-// Whether the cloth was given up, as wide cells had sewn it up with a limb through it.
-bool sewnRoundLimb(const SettleReport& report) {
-  return !report.settled && report.stoppedAfter == 0 && report.why.pattern.starts_with("The body goes through “{0}”");
-}
-
 Result<DrapeOutcome> drapedOnce(const Document& document, const DrapePieces& drape, Context& context,
                                 const DrapeOnlooker& onlooker, bool continueAfterRest) {
   const auto around = surroundingsOf(document, context);
@@ -274,7 +269,7 @@ Result<DrapeOutcome> drapedOnce(const Document& document, const DrapePieces& dra
 Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
                                  const DrapeOnlooker& onlooker, bool continueAfterRest) {
   auto outcome = drapedOnce(document, drape, context, onlooker, continueAfterRest);
-  if (!outcome || !sewnRoundLimb(outcome->report)) return outcome;
+  if (!outcome || outcome->report.settled || !outcome->report.throughBody) return outcome;
   // A record says itself whether it began anew. Without two coarse levels none would be left to notice the limb.
   if (context.recorded || drape.finer || drape.stop > 0 || kWidest * document.settings.spacing > kCoarsest)
     return outcome;
@@ -283,7 +278,7 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   auto finer = drapedOnce(document, again, context, onlooker, continueAfterRest);
   if (!finer) return finer.error();
   if (!finer->report.settled) return outcome;
-  finer->finer = true;
+  finer->report.finer = true;
   return finer;
 }
 

@@ -66,7 +66,6 @@ struct DrapeOutcome {
   std::map<PieceId, std::shared_ptr<const Form>> forms;  // in space; the pieces' poses become the identity
   SettleReport report;
   std::vector<Vec3> force;  // of a pull, newtons along the path
-  bool finer = false;       // of a drape that was begun anew as `finer` says
 };
 
 // What a person should know of what was just done, where it is, and what would mend it.
@@ -99,8 +98,6 @@ struct Context {
   std::function<void(const Advice&)> advise = {};  // told what was just done; empty: nobody asks
   // Stops a drape where the cloth is; the recorded operation then says after how many steps. Null: nobody stops it.
   StopRequest* stop = nullptr;
-  // Set by a drape that was begun anew with finer cells; the recorded operation then says so.
-  bool drapedFiner = false;
   // Set by resolved(): the operation's numbers come from formulas. What is so already is then no mistake.
   bool byFormula = false;
   // A recorded step is done again: what it says is taken as it stands, as it was when it was recorded.

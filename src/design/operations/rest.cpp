@@ -71,7 +71,6 @@ Result<Document> perform(const Document& before, const DrapePieces& op, Context&
   auto outcome = context.drape ? context.drape(before, op, context) : drapeOnBody(before, op, context);
   if (!outcome) return outcome.error();
   if (context.advise) tellFallen(before, *outcome, context);
-  context.drapedFiner = outcome->finer;
   return adopted(before, *outcome);
 }
 
