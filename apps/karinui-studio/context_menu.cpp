@@ -360,6 +360,9 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     fair.edges = {ref};
     offer(menu, say("Redraw as a fair line"), fair);
   }
+  if (!session_->snapshot().document.grading.empty())
+    offer(menu, say("Grade the corner beside it…"),
+          [this, near] { askNumbers(gradedCorner(session_->snapshot().document, near)); });
   offer(menu, say("Notch there"), notch);
   offer(menu, say("Dart there"), dart);
   for (const PaperDart& other : dartsOf(session_->snapshot().document.pattern)) {

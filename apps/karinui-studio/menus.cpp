@@ -14,6 +14,7 @@
 #include "lay_dialog.h"
 #include "main_window.h"
 #include "make_up_dialog.h"
+#include "new_pieces.h"
 #include "notices.h"
 #include "pose_dialog.h"
 #include "step_dialog.h"
@@ -217,7 +218,7 @@ void MainWindow::makeMenus() {
   work->addSeparator();
   QMenu* sizes = work->addMenu(QString());
   sizes->setObjectName("sizes");
-  Theme::here().keep(sizes, [sizes] { sizes->setTitle(inWords(say("Size that stands"))); });
+  Theme::here().keep(sizes, [sizes] { sizes->setTitle(inWords(say("Sizes"))); });
   connect(sizes, &QMenu::aboutToShow, this, [this, sizes] {
     sizes->clear();
     const Grading grading = session_->snapshot().document.grading;
@@ -228,6 +229,13 @@ void MainWindow::makeMenus() {
       connect(one, &QAction::triggered, this, [this, name = grading.sizes[i]] { session_->perform(ChooseSize{name}); });
     }
     if (grading.empty()) sizes->addAction(inWords(say("The garment is made in one size")))->setEnabled(false);
+    sizes->addSeparator();
+    offer(*sizes, say("Name the sizes…"), [this] { askNumbers(sizesOf(session_->snapshot().document)); });
+    if (grading.empty()) return;
+    GradePieces one;
+    one.plain = true;
+    offer(*sizes, say("One size only"), one);
+    sizes->addAction(findChild<QAction*>("nest"));
   });
   work->addAction(actions_[Command::Settle]);
   work->addAction(actions_[Command::Confirm]);

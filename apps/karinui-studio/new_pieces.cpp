@@ -19,6 +19,7 @@
 #include "karinui/design/sewing.h"
 #include "karinui/design/variables.h"
 #include "karinui/pattern/elastic_lines.h"
+#include "karinui/pattern/grading.h"
 #include "karinui/session/fabric_numbers.h"
 #include "main_window.h"
 #include "step_dialog.h"
@@ -252,6 +253,29 @@ BindEdges bindingAlong(const Document& document, std::vector<EdgeRef> edges) {
   BindEdges made;
   const Binding own = finishOrUsual(document.allowances.bindings, edges);
   made.edges = std::move(edges), made.width = Length{own.width}, made.fabric = own.fabric;
+  return made;
+}
+
+GradePieces sizesOf(const Document& document) {
+  GradePieces made;
+  const Grading& grading = document.grading;
+  made.sizes = grading.empty() ? std::vector<std::string>{"S", "M", "L"} : grading.sizes;
+  made.base = grading.empty() ? "M" : grading.sizes[grading.base];
+  return made;
+}
+
+GradePieces gradedCorner(const Document& document, const EdgeNear& near) {
+  GradePieces made;
+  const Piece& piece = *document.find(near.piece);
+  const auto& edges = piece.outline.edges;
+  const std::size_t k = (*piece.outline.find(near.edge) + (near.fraction > 0.5 ? 1 : 0)) % edges.size();
+  made.corners = {{PieceRef(piece.id), edges[k].name}};
+  const Grading& grading = document.grading;
+  const auto own = grading.pieces.find(piece.id);
+  if (own == grading.pieces.end()) return made;
+  const std::size_t larger = grading.base + 1;
+  const auto by = differenceAt(piece.outline, own->second, edges[k].name, 0, grading.sizes.size());
+  made.by = larger < by.size() ? by[larger] : by[grading.base - 1] * -1;
   return made;
 }
 

@@ -28,6 +28,10 @@ SewPiping pipingAlong(const Document& document, std::vector<EdgeRef> edges);
 BindEdges bindingAlong(const Document& document, std::vector<EdgeRef> edges);
 // A lining that hangs free at the lower edges that are not sewn, an inch shorter; at none if there are none.
 LinePieces hangingLining(const Document& document, const std::vector<PieceRef>& pieces);
+// The sizes as they are, or three to begin with.
+GradePieces sizesOf(const Document& document);
+// How the corner nearest to a place of an edge goes from size to size, as it does already. Once there are sizes.
+GradePieces gradedCorner(const Document& document, const EdgeNear& near);
 FoldLine turningAlong(const Document& document, PieceId piece, const std::string& line);
 
 }  // namespace karinui::studio

@@ -26,7 +26,8 @@ namespace karinui::studio {
 namespace {
 
 constexpr std::string_view kDrawnPleat = "a pleat whose lines say the rest", kZipThere = "a zip that is there",
-                           kButtonsThere = "buttons that are there";
+                           kButtonsThere = "buttons that are there", kSizes = "the sizes of a garment",
+                           kCorners = "corners that go from size to size";
 
 // What is asked at once; everything else an operation can be told is under “More”.
 constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
@@ -40,8 +41,26 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {kDrawnPleat, "lines stitch hold"},
     {kZipThere, "closed_length"},
     {kButtonsThere, "closed"},
+    {kSizes, "sizes base"},
+    {kCorners, "corners by size symmetric"},
     {"underlay", "width at turn strength rectangle"},
 };
+
+// What of an operation is asked.
+struct Asked {
+  std::string_view what;  // of kFirst, or the operation's name
+  bool only = false;      // the rest stays as it is
+};
+
+Asked askedOf(const Operation& operation) {
+  if (const auto* pleat = std::get_if<AddPleat>(&operation); pleat && !pleat->lines.empty()) return {kDrawnPleat};
+  if (const auto* grade = std::get_if<GradePieces>(&operation))
+    return {grade->corners.empty() ? kSizes : kCorners, true};
+  const auto* there = std::get_if<Fasten>(&operation);
+  if (there && !there->name.empty() && there->a.empty())
+    return {there->closedLength ? kZipThere : there->closed ? kButtonsThere : Fasten::kName, true};
+  return {nameOf(operation)};
+}
 
 bool isFirst(std::string_view operation, std::string_view field) {
   for (const auto& [name, fields] : kFirst)
@@ -216,18 +235,12 @@ void StepDialog::takeRoom() {
 void StepDialog::fill(const Operation& operation) {
   const OperationHelp& help = helpOf(operation);
   const std::vector<FieldText> known = fieldTexts(operation);
-  const auto* pleat = std::get_if<AddPleat>(&operation);
-  const auto* there = std::get_if<Fasten>(&operation);
-  if (there && (there->name.empty() || !there->a.empty())) there = nullptr;  // it is to be set
-  const std::string_view asks = pleat && !pleat->lines.empty() ? kDrawnPleat
-                                : there && there->closedLength ? kZipThere
-                                : there && there->closed       ? kButtonsThere
-                                                               : std::string_view(help.name);
+  const auto [asks, only] = askedOf(operation);
   QLineEdit *first = nullptr, *empty = nullptr;  // of the numbers that are asked at once
   QLineEdit* missing = nullptr;                  // the other side of what has one already
   const FieldHelp* last = nullptr;               // the field before
   for (const FieldHelp& field : help.fields) {
-    if (there && field.name != "name" && !isFirst(asks, field.name)) continue;  // what it is stays
+    if (only && field.name != "name" && !isFirst(asks, field.name)) continue;
     const auto value = std::find_if(known.begin(), known.end(), [&](const auto& f) { return f.name == field.name; });
     typed_.push_back(stepField(document_, help.name, field, value == known.end() ? usualOf(asks, field) : value->value,
                                [this] { perform(); }));

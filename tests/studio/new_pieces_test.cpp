@@ -18,6 +18,7 @@
 #include "new_pieces.h"
 #include "outline_drawing.h"
 #include "step_dialog.h"
+#include "studio/asked.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
@@ -26,61 +27,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-struct Numbers {  // the dialog that is open
-  Window& w;
-  QDialog* dialog;
-  explicit Numbers(Window& window, const char* name = "step_dialog")
-      : w(window), dialog(window.main().findChild<QDialog*>(name)) {}
-  explicit operator bool() const { return dialog != nullptr; }
-  QLineEdit& line(const char* field) { return *dialog->findChild<QLineEdit*>(field); }
-  void type(const char* field, const char* text) {
-    line(field).selectAll();
-    QTest::keyClicks(&line(field), text);
-  }
-  QString said() const { return dialog->findChild<QLabel*>("said")->text(); }
-  QPushButton& make() { return *dialog->findChild<QPushButton*>("make"); }
-  void accept() {
-    QTest::mouseClick(&make(), Qt::LeftButton);
-    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    w.rest();
-  }
-};
-
-const Piece& piece(Window& w, const char* name) {
-  const Piece* found = w.session().snapshot().document.pieceNamed(name);
-  EXPECT_TRUE(found) << name << ": " << w.main().said().toStdString();
-  static const Piece none;
-  return found ? *found : none;
-}
-double draftedLength(Window& w, const char* of, const char* edge) {
-  const Edge* found = findEdge(piece(w, of), edge);
-  EXPECT_TRUE(found) << of << "." << edge;
-  return found ? found->curve.length() : 0;
-}
-void menuOn(Window& w, const char* of, const char* edge) {
-  const Edge* at = findEdge(piece(w, of), edge);
-  w.drag(w.table(), {w.onTable(of, at->curve.atFraction(0.5))}, {}, {}, Qt::RightButton);
-}
-// An item of the context menu, by its words, their beginning* or their *end; closes it.
-bool choose(Window& w, const QString& words) {
-  for (QMenu* menu : w.main().findChildren<QMenu*>("context"))
-    for (QAction* action : menu->actions())
-      if (action->text() == words || (words.startsWith("*") && action->text().endsWith(words.mid(1))) ||
-          (words.endsWith("*") && action->text().startsWith(words.chopped(1)))) {
-        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
-        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        w.rest();
-        return true;
-      }
-  return false;
-}
-
-void fromTheMenu(Window& w, const Message& words) {
-  for (QAction* action : w.main().findChildren<QAction*>())
-    if (action->text() == inWords(words)) return action->trigger();
-  FAIL() << "no such item";
-}
 
 TEST(StudioNewPieces, AnEdgeIsDrawnAnewAsAFairLineFromItsMenu) {
   KARINUI_NEEDS_DISPLAY();
