@@ -81,6 +81,7 @@ TEST(StudioSizes, AreNamedAndACornerGraded) {
     EXPECT_EQ(numbers.line("by").text().toStdString(), shown);
     numbers.type("by", by);
     EXPECT_EQ(numbers.said(), "");
+    w.keepDialog(*numbers.dialog, "studio_grade");
     numbers.accept();
   };
   gradeBesideTheSide("", "5mm,0");
