@@ -265,10 +265,22 @@ TEST(Copies, AreCutAndMergedLikewise) {
 
 // A sleeve cut into halves of the same size: each keeps its own side.
 TEST(Copies, AreCutIntoHalvesLikewise) {
-  Pair pair;
-  ASSERT_EQ(pair.play("cut piece=cuff_left line=\"110mm,-10mm; 110mm,80mm\" name=half copies=yes\n"), "");
-  expectImages(pair, "cuff_left", "cuff_right");
-  expectImages(pair, "half", "half_mirrored");
+  for (const char* edge : {"end_left", "end_right"})
+    for (const char* cut : {"110mm,-10mm; 110mm,80mm", "110mm,80mm; 110mm,-10mm"}) {
+      Pair pair;
+      ASSERT_EQ(pair.play("sew a=cuff_right." + std::string(edge) + " b=back.hem@0:0.2 name=held\n"), "");
+      const auto heldAt = [&] {
+        for (const auto& [id, seam] : pair.file.document().pattern.seams)
+          if (const Edge* own = findEdge(*pair.file.document().find(seam.a.front().piece), seam.a.front().edge))
+            return own->curve.atFraction(0.5);
+        return Flat{1, 1};
+      };
+      const Flat before = heldAt();
+      ASSERT_EQ(pair.play("cut piece=cuff_left line=\"" + std::string(cut) + "\" name=half copies=yes\n"), "");
+      expectImages(pair, "cuff_left", "cuff_right");
+      expectImages(pair, "half", "half_mirrored");
+      EXPECT_LT(distance(heldAt(), before), 1e-9) << edge << ": the seam stays where it is";
+    }
 }
 
 TEST(Copies, AreLeftAloneByACutThatDoesNotNameThem) {

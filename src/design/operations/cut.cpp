@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMostPlaces = 10000;
 
+// How many ids of the step are taken.
 struct Minted {
   std::uint32_t pieces = 0, seams = 0;
 };
@@ -97,11 +98,24 @@ void arrangeLike(CutPieces& cut, const std::vector<const Piece*>& likewise) {
   std::set<PieceId> taken;
   for (const auto& [part, place] : places) taken.insert(place);
   if (taken.size() != cut.pieces.size()) return;
+  // Edges that stayed as they were are not listed; they may have to be found on another piece now.
+  std::set<std::pair<PieceId, std::string>> listed;
+  for (const auto& [edge, parts] : cut.edges)
+    for (const EdgePart& part : parts) listed.emplace(part.now.piece, part.now.edge);
+  const auto list = [&](PieceId part, const Outline& outline) {
+    for (const Edge& edge : outline.edges)
+      if (!listed.contains({part, edge.name})) cut.edges[{part, edge.name}] = {{0, 1, {part, edge.name, 0, 1}}};
+  };
+  for (const Piece& part : cut.pieces) {
+    if (places.at(part.id) == part.id) continue;
+    list(part.id, part.outline);
+    for (const Outline& hole : part.holes) list(part.id, hole);
+  }
   for (Piece& part : cut.pieces) part.id = places.at(part.id), part.name = names.at(part.id);
   for (auto& [edge, parts] : cut.edges)
     for (EdgePart& part : parts)
       if (const auto place = places.find(part.now.piece); place != places.end()) part.now.piece = place->second;
-  std::sort(cut.pieces.begin(), cut.pieces.end(), [&](const Piece& a, const Piece& b) { return a.id < b.id; });
+  std::sort(cut.pieces.begin(), cut.pieces.end(), [](const Piece& a, const Piece& b) { return a.id < b.id; });
 }
 
 // `likewise`: the parts of the piece of which this is the symmetric copy.
