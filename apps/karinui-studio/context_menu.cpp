@@ -382,6 +382,11 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
       spread.toAt = toMillimetre(led->fraction, other->curve.length());
       offer(menu, say("Slash to {0} and spread…", edgeSaid(document, spread.to)),
             [this, spread] { askNumbers(spread); });
+      AddPleat pleat;  // soft below where it is sewn, as of a peg-top skirt
+      pleat.edge = ref, pleat.at = share, pleat.hold = 0;
+      pleat.to = spread.to, pleat.toAt = spread.toAt;
+      offer(menu, say("Pleat that runs out at {0}…", edgeSaid(document, pleat.to)),
+            [this, pleat] { askNumbers(pleat); });
     }
   menu.addSeparator();
   const std::vector<EdgeRef> run = runThrough(document, ref);

@@ -81,7 +81,7 @@ AddPleat pleatsIn(const Document& document, const EdgeRef& edge) {
 }
 
 std::vector<AddPleat> drawnPleats(const Piece& piece, const std::string& fold) {
-  constexpr double kSkew = 0.03, kNarrow = 0.004, kUneven = 0.2;  // as shares of a line's length; metres; of the depth
+  constexpr double kSkew = 0.4, kNarrow = 0.004, kUneven = 0.2;  // sine of the angle; metres; of the depth
   struct Straight {
     std::string name;
     Flat from, to;
@@ -104,19 +104,28 @@ std::vector<AddPleat> drawnPleats(const Piece& piece, const std::string& fold) {
   const Flat along = normalized(own->to - own->from);
   struct Neighbour {
     std::string name;
-    double away;
+    std::array<double, 2> away;  // where the fold begins and where it ends
+    double middle() const { return 0.5 * (away[0] + away[1]); }
   };
   std::vector<Neighbour> beside;
-  for (const Straight& line : lines)
+  for (Straight& line : lines) {
+    if (dot(line.to - line.from, along) < 0) std::swap(line.from, line.to);
     if (std::fabs(cross(along, normalized(line.to - line.from))) < kSkew)
-      beside.push_back({line.name, cross(along, 0.5 * (line.from + line.to) - own->from)});
+      beside.push_back({line.name, {cross(along, line.from - own->from), cross(along, line.to - own->from)}});
+  }
+  const auto halfway = [&](const Neighbour& between, const Neighbour& far) {
+    const double deepest = std::fmax(std::fabs(far.away[0]), std::fabs(far.away[1]));
+    return std::fabs(2 * between.away[0] - far.away[0]) <= kUneven * deepest &&
+           std::fabs(2 * between.away[1] - far.away[1]) <= kUneven * deepest;
+  };
   for (const double side : {1.0, -1.0}) {
     const Neighbour *place = nullptr, *inner = nullptr;
     for (const Neighbour& far : beside)
       for (const Neighbour& between : beside) {
-        if (side * far.away < kNarrow || std::fabs(2 * between.away - far.away) > kUneven * std::fabs(far.away))
+        if (side * far.middle() < kNarrow || std::fmin(side * far.away[0], side * far.away[1]) < -kNarrow ||
+            &far == &between || !halfway(between, far))
           continue;
-        if (!place || side * far.away < side * place->away) place = &far, inner = &between;
+        if (!place || side * far.middle() < side * place->middle()) place = &far, inner = &between;
       }
     if (!place) continue;
     AddPleat& pleat = found.emplace_back();

@@ -25,7 +25,8 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr std::string_view kDrawnPleat = "a pleat whose lines say the rest", kZipThere = "a zip that is there",
+constexpr std::string_view kDrawnPleat = "a pleat whose lines say the rest",
+                           kPleatTo = "a pleat that runs out at an edge", kZipThere = "a zip that is there",
                            kButtonsThere = "buttons that are there", kSizes = "the sizes of a garment",
                            kCorners = "corners that go from size to size";
 
@@ -39,6 +40,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"fasten", "kind a b count spacing first last size length closed closed_length"},
     {"block", "kind ease length fabric"},
     {kDrawnPleat, "lines stitch hold"},
+    {kPleatTo, "edge to at to_at depth turned stitch hold"},
     {kZipThere, "closed_length"},
     {kButtonsThere, "closed"},
     {kSizes, "sizes base"},
@@ -54,6 +56,7 @@ struct Asked {
 
 Asked askedOf(const Operation& operation) {
   if (const auto* pleat = std::get_if<AddPleat>(&operation); pleat && !pleat->lines.empty()) return {kDrawnPleat};
+  if (const auto* pleat = std::get_if<AddPleat>(&operation); pleat && pleat->to) return {kPleatTo};
   if (const auto* grade = std::get_if<GradePieces>(&operation))
     return {grade->corners.empty() ? kSizes : kCorners, true};
   const auto* there = std::get_if<Fasten>(&operation);

@@ -76,25 +76,6 @@ Result<Crossed> doubleDartsAcross(const Pattern& pattern, const Piece& whole, co
   return crossed;
 }
 
-// What became of the edges of `whole` by one cut after another.
-EdgeMap composed(const EdgeMap& first, const EdgeMap& then) {
-  EdgeMap both = then;
-  for (const auto& [old, parts] : first) {
-    std::vector<EdgePart> now;
-    for (const EdgePart& part : parts) {
-      const auto further = then.find({part.now.piece, part.now.edge});
-      if (further == then.end()) {
-        now.push_back(part);
-        continue;
-      }
-      for (const EdgePart& piece : further->second)
-        now.push_back({std::lerp(part.from, part.to, piece.from), std::lerp(part.from, part.to, piece.to), piece.now});
-    }
-    both[old] = std::move(now);
-  }
-  return both;
-}
-
 }  // namespace
 
 Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std::vector<Flat> line,

@@ -51,6 +51,34 @@ void divideEdges(Outline& outline, std::vector<EdgePlace> places, std::set<std::
   outline.edges = std::move(edges);
 }
 
+EdgeMap composed(const EdgeMap& first, const EdgeMap& second) {
+  EdgeMap all = second;
+  for (const auto& [edge, parts] : first) {
+    auto& out = all[edge];
+    out.clear();
+    for (const EdgePart& part : parts) {
+      const auto next = second.find({part.now.piece, part.now.edge});
+      if (next == second.end()) {
+        out.push_back(part);
+        continue;
+      }
+      for (const EdgePart& later : next->second) {
+        const double low = std::max(part.now.from, later.from), high = std::min(part.now.to, later.to);
+        if (high - low < 1e-9) continue;
+        const auto share = [](double at, double a, double b) { return (at - a) / (b - a); };
+        const auto old = [&](double at) {
+          return std::lerp(part.from, part.to, share(at, part.now.from, part.now.to));
+        };
+        const auto now = [&](double at) {
+          return std::lerp(later.now.from, later.now.to, share(at, later.from, later.to));
+        };
+        out.push_back({old(low), old(high), {later.now.piece, later.now.edge, now(low), now(high)}});
+      }
+    }
+  }
+  return all;
+}
+
 void followMarks(Piece& piece, const EdgeMap& map) {
   for (Mark& mark : piece.marks) {
     const auto parts = map.find({piece.id, mark.edge});

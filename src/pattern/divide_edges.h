@@ -18,6 +18,7 @@ std::set<std::string> edgeNames(const Piece& piece);
 std::string freeName(const std::string& name, std::set<std::string>& taken);
 void divideEdges(Outline& outline, std::vector<EdgePlace> places, std::set<std::string> taken, PieceId piece,
                  EdgeMap& map);
+EdgeMap composed(const EdgeMap& first, const EdgeMap& second);  // one change after another
 // Notches go with their part of the edge.
 void followMarks(Piece& piece, const EdgeMap& map);
 

@@ -5,22 +5,16 @@
 
 #include "divide_edges.h"
 #include "karinui/pattern/pleats.h"
+#include "outline_passages.h"
+#include "wedge_pleat.h"
 #include "words.h"
 
 namespace karinui {
 
 namespace {
 
-constexpr double kParallel = 1e-3;       // metres by which lines may be off
-constexpr double kClosedWithin = 2e-3;   // metres by which an edge may be off where it is closed
-constexpr double kSameParameter = 1e-9;  // of a curve
-
-// Where an outline passes a place across the lines.
-struct Passage {
-  std::size_t edge = 0;
-  double t = 0;
-  Flat place;
-};
+constexpr double kParallel = 1e-3;      // metres by which lines may be off
+constexpr double kClosedWithin = 2e-3;  // metres by which an edge may be off where it is closed
 
 class Closing {
  public:
@@ -28,6 +22,7 @@ class Closing {
       : piece_(piece), across_(-leftOf(drawn.along)), low_(low), depth_(depth) {}
 
   Result<EditedPiece> closed(Flat nearLow, Flat nearHigh, Flat farLow, Flat farHigh, std::string& nearName) {
+    const auto passage = [&](double at, Flat near) { return passageNear(piece_.outline, across_, at, near); };
     const auto a = passage(low_, nearLow), b = passage(low_ + 2 * depth_, nearHigh),
                c = passage(low_ + 2 * depth_, farHigh), d = passage(low_, farLow);
     if (!a || !b || !c || !d || a->edge == c->edge)
@@ -78,52 +73,15 @@ class Closing {
     return high > low_ + kParallel && low < low_ + 2 * depth_ - kParallel;
   }
 
-  // The passage nearest to a place.
-  std::optional<Passage> passage(double wanted, Flat near) const {
-    std::optional<Passage> best;
-    const auto& edges = piece_.outline.edges;
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      constexpr int kLooks = 64;
-      const auto away = [&](double t) { return across(edges[k].curve.at(t)) - wanted; };
-      for (int i = 0; i < kLooks; ++i) {
-        double in = i / double{kLooks}, out = (i + 1) / double{kLooks};
-        const double first = away(in), last = away(out);
-        if ((first > 0) == (last > 0) && std::abs(first) > 1e-7 && std::abs(last) > 1e-7) continue;
-        if (std::abs(first) <= 1e-7)
-          out = in;
-        else if (std::abs(last) <= 1e-7)
-          in = out;
-        for (int round = 0; round < 50 && in < out; ++round) {
-          const double middle = 0.5 * (in + out);
-          ((away(middle) > 0) == (first > 0) ? in : out) = middle;
-        }
-        const Flat place = edges[k].curve.at(in);
-        if (!best || distance(place, near) < distance(best->place, near) - 1e-7) best = Passage{k, in, place};
-      }
-    }
-    return best;
-  }
-
   // The outline from `from` to `to` on one side of the pleat, then the other side, moved up against it.
   Done join(const Passage& farLow, const Passage& nearLow, const Passage& nearHigh, const Passage& farHigh) {
-    struct Part {
-      std::size_t edge;
-      double t0, t1;
-      bool beyond;
+    struct Part : EdgeStretch {
+      bool beyond = false;
     };
     const auto& edges = piece_.outline.edges;
     std::vector<Part> parts;
     const auto walk = [&](const Passage& from, const Passage& to, bool beyond) {
-      std::size_t k = from.edge;
-      double t = from.t;
-      for (std::size_t guard = 0; guard <= edges.size(); ++guard) {
-        const bool last = k == to.edge && (guard > 0 || to.t > t);
-        const double end = last ? to.t : 1;
-        if (end - t > kSameParameter && edges[k].curve.part(t, end).length() > 1e-6)
-          parts.push_back({k, t, end, beyond});
-        if (last) return;
-        k = (k + 1) % edges.size(), t = 0;
-      }
+      for (const EdgeStretch& stretch : stretchesBetween(piece_.outline, from, to)) parts.push_back({stretch, beyond});
     };
     walk(farLow, nearLow, false);
     const std::size_t first = parts.size();
@@ -192,42 +150,14 @@ class Closing {
   EditedPiece made_;
 };
 
-// One change after another.
-EdgeMap composed(const EdgeMap& first, const EdgeMap& second) {
-  EdgeMap all = second;
-  for (const auto& [edge, parts] : first) {
-    auto& out = all[edge];
-    out.clear();
-    for (const EdgePart& part : parts) {
-      const auto next = second.find({part.now.piece, part.now.edge});
-      if (next == second.end()) {
-        out.push_back(part);
-        continue;
-      }
-      for (const EdgePart& later : next->second) {
-        const double low = std::max(part.now.from, later.from), high = std::min(part.now.to, later.to);
-        if (high - low < 1e-9) continue;
-        const auto share = [](double at, double a, double b) { return (at - a) / (b - a); };
-        const auto old = [&](double at) {
-          return std::lerp(part.from, part.to, share(at, part.now.from, part.now.to));
-        };
-        const auto now = [&](double at) {
-          return std::lerp(later.now.from, later.now.to, share(at, later.from, later.to));
-        };
-        out.push_back({old(low), old(high), {later.now.piece, later.now.edge, now(low), now(high)}});
-      }
-    }
-  }
-  return all;
-}
-
 }  // namespace
 
 Result<PleatedPiece> foldDrawn(const Piece& piece, const DrawnPleat& drawn) {
   const Flat across = -leftOf(drawn.along);
   // The near and the far end of each line, walked along the pleat.
-  std::array<std::pair<Flat, Flat>, 3> ends;
+  std::array<PleatLine, 3> ends;
   std::array<double, 3> at{};
+  bool alongside = true;
   const std::string* names[] = {&drawn.fold, &drawn.inner, &drawn.place};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto line =
@@ -238,9 +168,13 @@ Result<PleatedPiece> foldDrawn(const Piece& piece, const DrawnPleat& drawn) {
     if (dot(to - from, drawn.along) < 0) std::swap(from, to);
     ends[k] = {from, to};
     at[k] = 0.5 * (dot(from, across) + dot(to, across));
-    if (std::abs(dot(to - from, across)) > 2 * kParallel)
-      return refused(say("The lines of a pleat are straight and run alongside each other; “{0}” does not.", *names[k]));
+    alongside = alongside && std::abs(dot(to - from, across)) <= 2 * kParallel;
   }
+  Piece bare = piece;
+  std::erase_if(bare.lines, [&](const InternalLine& line) {
+    return line.name == drawn.fold || line.name == drawn.inner || line.name == drawn.place;
+  });
+  if (!alongside) return foldWedge(bare, drawn, ends);
   const double depth = std::abs(at[2] - at[0]) / 2;
   if (std::abs(at[1] - 0.5 * (at[0] + at[2])) > kParallel)
     return refused(
@@ -249,13 +183,9 @@ Result<PleatedPiece> foldDrawn(const Piece& piece, const DrawnPleat& drawn) {
             inMm(std::abs(at[1] - at[0])), inMm(std::abs(at[2] - at[1]))));
   const bool toStart = at[0] > at[2];
   const auto &low = toStart ? ends[2] : ends[0], &high = toStart ? ends[0] : ends[2];
-  Piece bare = piece;
-  std::erase_if(bare.lines, [&](const InternalLine& line) {
-    return line.name == drawn.fold || line.name == drawn.inner || line.name == drawn.place;
-  });
   std::string near;
   auto closed =
-      Closing(bare, drawn, std::min(at[0], at[2]), depth).closed(low.first, high.first, low.second, high.second, near);
+      Closing(bare, drawn, std::min(at[0], at[2]), depth).closed(low.near, high.near, low.far, high.far, near);
   if (!closed) return closed.error();
   PleatPlan plan;
   plan.edge = near, plan.depth = depth, plan.along = drawn.along, plan.name = drawn.name;
@@ -266,7 +196,7 @@ Result<PleatedPiece> foldDrawn(const Piece& piece, const DrawnPleat& drawn) {
     const double from = dot(edge.curve.start, across), to = dot(edge.curve.end, across);
     const double over = toStart ? fold + depth / 2 : fold - depth / 2;
     const auto height = [&](const Curve& curve) { return dot(curve.at(0.5), drawn.along); };
-    const bool lower = dot(low.first, drawn.along) + dot(low.second, drawn.along) > 2 * height(edge.curve);
+    const bool lower = dot(low.near, drawn.along) + dot(low.far, drawn.along) > 2 * height(edge.curve);
     if (from <= over && to >= over && lower) plan.edge = edge.name;
   }
   const Edge* edge = findEdge(closed->piece, plan.edge);

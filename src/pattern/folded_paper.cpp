@@ -7,11 +7,7 @@ namespace karinui {
 
 namespace {
 
-constexpr double kUnder = 0.5;    // layers a fold begins above what lies beneath it
-constexpr double kShort = 3e-4;   // metres by which a fold stands short of where it is pressed
-constexpr double kOnFold = 1e-7;  // metres: nearer than this a place lies on a fold
-constexpr double kPasses = 0.01;  // metres: so far the upper layer passes the fold inside before it comes down, and in
-                                  // as much again it does
+constexpr double kUnder = 0.5;  // layers a fold begins above what lies beneath it
 
 }  // namespace
 

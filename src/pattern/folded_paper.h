@@ -8,6 +8,10 @@ namespace karinui {
 
 // The folds at one height along the lines, and where cloth there lies when they are folded.
 struct FoldedPaper {
+  static constexpr double kShort = 3e-4;   // metres by which a fold stands short of where it is pressed
+  static constexpr double kOnFold = 1e-7;  // metres: nearer than this a place lies on a fold
+  static constexpr double kPasses = 0.01;  // metres: so far the upper layer passes the fold inside before it comes
+                                           // down, and in as much again it does
   struct Fold {
     double at, low, strip;  // as of PleatFold
     bool toStart;

@@ -59,7 +59,7 @@ class Spreading {
   Spreading(const Piece& piece, const PleatPlan& plan) : piece_(piece), plan_(plan) {}
 
   Result<PleatedPiece> spread() {
-    made_ = {{piece_, {}}, {}, {}, {}, {}, {}, plan_.depth};
+    made_.edited.piece = piece_, made_.depth = plan_.depth;
     made_.foldsShare = shareOfFold(plan_.kind);
     if (Done done = findFolds(); !done) return done.error();
     if (Done done = findBeyond(); !done) return done.error();
@@ -437,6 +437,7 @@ class Spreading {
 }  // namespace
 
 FoldedPlace PleatedPiece::folded(Flat place) const {
+  if (wedge) return wedge->folded(place);
   const double open = opened(place);
   FoldedPaper paper{across, depth - open / 2, overlapping, {}};
   double given = 0;  // by the folds before
@@ -457,6 +458,7 @@ double PleatedPiece::opened(Flat place) const {
 }
 
 Flat PleatedPiece::spread(Flat place) const {
+  if (wedge) return wedge->opened ? wedge->opened(place) : place;
   if (drawn) return place;
   double by = 0;
   for (const PleatFold& fold : folds)

@@ -89,8 +89,8 @@ Curve cutOff(const Curve& curve, double start, double end) {
 }
 
 // Parts with the lines between them that the openings are, joined. `round`: how far to either side of a corner the
-// curve is led round it, at most.
-Led led(const std::vector<Curve>& parts, const std::vector<double>& from, double round) {
+// curve is led round it, at most; `through`: it is led through the corner.
+Led led(const std::vector<Curve>& parts, const std::vector<double>& from, double round, bool through = false) {
   std::vector<Curve> all;
   std::vector<bool> opening;
   for (const Curve& part : parts) {
@@ -123,6 +123,14 @@ Led led(const std::vector<Curve>& parts, const std::vector<double>& from, double
     if (k + 1 == n || after[k] == 0) continue;
     const Curve &in = all[k], &out = all[k + 1];
     const double ti = in.parameterAt(in.length() - after[k]), to = out.parameterAt(before[k + 1]);
+    if (through) {
+      const Flat way = normalized(normalized(in.tangent(1)) + normalized(out.tangent(0)));
+      add(Curve::cubic(in.at(ti), in.at(ti) + normalized(in.tangent(ti)) * (after[k] / 3),
+                       in.end - way * (after[k] / 3), in.end));
+      add(Curve::cubic(in.end, in.end + way * (before[k + 1] / 3),
+                       out.at(to) - normalized(out.tangent(to)) * (before[k + 1] / 3), out.at(to)));
+      continue;
+    }
     const double handle = (after[k] + before[k + 1]) / 3;
     add(Curve::cubic(in.at(ti), in.at(ti) + normalized(in.tangent(ti)) * handle,
                      out.at(to) - normalized(out.tangent(to)) * handle, out.at(to)));
@@ -246,7 +254,10 @@ class Slashing {
       stays_ = signedArea(parts_.ahead) > signedArea(parts_.behind) ? Slash::Stays::Ahead : Slash::Stays::Behind;
   }
 
-  double rounded() const { return slash_.smooth ? std::min(kRounded, std::max(slash_.by, slash_.toBy) / 2) : 0; }
+  double rounded(bool first) const {
+    if (!slash_.smooth || (first && slash_.folded)) return 0;
+    return std::min(kRounded, std::max(slash_.by, slash_.toBy) / 2);
+  }
 
   void keepMap(const std::string& name, const Led& led) {
     auto& parts = map_[{piece_.id, name}];
@@ -279,7 +290,7 @@ class Slashing {
       return atCorner(edges_[k].name, parts.front(), at == 1,
                       slash_.shared ? middleOf(corner) : (at == 1 ? after : before)(corner));
     parts[0].end = before(corner), parts[1].start = after(corner);
-    const Led now = led(parts, from, rounded());
+    const Led now = led(parts, from, rounded(first), slash_.folded);
     keepMap(edges_[k].name, now);
     return now.curve;
   }
@@ -368,6 +379,16 @@ Slash mirrored(const Slash& slash, const std::string& from, const std::string& t
 }
 
 Result<OpenedPiece> spreadPiece(const Piece& piece, const Slash& slash) { return Slashing(piece, slash).opened(); }
+
+Slash::Stays staying(const Outline& outline, const Slash& slash, const std::function<bool(const std::string&)>& kept) {
+  const std::size_t n = outline.edges.size(), from = *outline.find(slash.from), to = *outline.find(slash.to);
+  bool ahead = false, behind = false;
+  for (std::size_t k = 0; k < n; ++k)
+    if (k != from && k != to && kept(outline.edges[k].name))
+      ((k + n - from) % n < (to + n - from) % n ? ahead : behind) = true;
+  if (slash.stays != Slash::Stays::Larger || ahead == behind) return slash.stays;
+  return ahead ? Slash::Stays::Ahead : Slash::Stays::Behind;
+}
 
 bool meet(const Outline& outline, const Slash& one, const Slash& other) {
   const auto ends = [&](const Slash& slash) {

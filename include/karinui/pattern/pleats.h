@@ -5,6 +5,8 @@
 // Pleats that taper are deeper at the edge than beyond: each fold gives way by e between the edge and a line at the
 // distance L from it, by e (2 x - x^2) at x L, so that the folded cloth widens from the waist to the hip.
 // Metres on paper. Pure; any thread.
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/spread.h"
 
 namespace karinui {
 
@@ -52,6 +55,29 @@ struct FoldedPlace {
   Flat clear{};
 };
 
+// A line paper is folded along.
+struct FoldAxis {
+  Flat at, along;                                                       // unit
+  double beside(Flat place) const { return cross(place - at, along); }  // > 0: right of it
+  Flat mirroredWay(Flat way) const { return along * (2 * dot(way, along)) - way; }
+  Flat mirrored(Flat place) const { return at + mirroredWay(place - at); }
+};
+
+// A pleat whose lines meet: the paper lies as if the part beside the edge's start had stayed, and the rest were turned.
+struct PleatWedge {
+  FoldAxis fold, inner, place;
+  bool toStart = false;
+  PaperMove back;                    // of the folded paper to where it lay before it was slashed
+  std::function<Flat(Flat)> opened;  // of a place of that paper to the new one; none: the paper was not slashed
+  FoldedPlace folded(Flat place) const;
+  // Where places of the folded paper lie if it is spread evenly, about the point where the lines meet, over the room
+  // the paper takes.
+  std::function<Flat(Flat)> reopened(const Outline& paper) const;
+
+ private:
+  FoldedPlace closed(Flat place) const;  // with the part beside the edge's start where it is
+};
+
 struct PleatedPiece {
   EditedPiece edited;  // with the internal lines
   // What is folded in, b, and what it lies under, a; to be sewn with Seam::Tie::Pleat.
@@ -70,6 +96,7 @@ struct PleatedPiece {
   std::size_t linesAdded = 0;  // the last ones of the piece
   bool overlapping = false;    // each covers a part of the next
   bool drawn = false;          // the old paper has the cloth for it already
+  std::optional<PleatWedge> wedge;       // of a drawn pleat whose lines meet; `folds` then tells names only
   FoldedPlace folded(Flat place) const;  // of a place of the new paper; where it tapers, to both sides of the old one
   Flat spread(Flat place) const;         // where a place of the old paper is on the new one; of the top layer
   double opened(Flat place) const;       // by how much a fold has given way at the height of a place
@@ -83,8 +110,9 @@ Result<PleatedPiece> addPleats(const Piece& piece, const PleatPlan& plan);
 
 // A knife pleat by three lines that are drawn inside a piece, whose paper has the cloth for it: folded along the first,
 // and inwards along the second, the first comes to lie on the third. What ends across them is cut so that it lies edge
-// to edge when the paper is folded; the three lines are drawn anew from edge to edge. Refuses lines that do not run
-// alongside each other, an inner fold that does not lie halfway, and what addPleats() refuses.
+// to edge when the paper is folded; the three lines are drawn anew from edge to edge. They run alongside each other, or
+// come nearer to each other and may meet at the edge where they end. Refuses lines that meet inside the piece, an inner
+// fold that does not lie halfway, and what addPleats() refuses.
 struct DrawnPleat {
   std::string fold, inner, place;
   Flat along;  // unit: from the pleated edge into the piece
@@ -92,6 +120,11 @@ struct DrawnPleat {
   bool sewnBeyond = false;
 };
 Result<PleatedPiece> foldDrawn(const Piece& piece, const DrawnPleat& drawn);
+
+// A knife pleat that runs out at another edge: the paper is slashed from the pleated edge to there, opened by twice the
+// depth, and what it opened by is folded in. `slash.by` says how much; `toBy`, `smooth` and `shared` are not looked at.
+// The other edge runs on in a curve where the paper was bent. Refuses what spreadPiece() and foldDrawn() refuse.
+Result<PleatedPiece> addPleatTo(const Piece& piece, const Slash& slash, bool toStart, const std::string& name);
 
 // The pleats of a pattern, at each edge they are sewn into: the corners of the outline in which a fold, the fold inside
 // it and the line where it comes to lie end.

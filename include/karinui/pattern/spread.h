@@ -14,7 +14,8 @@ struct Slash {
   double at = 0.5, toAt = 0.5;  // where the slash begins and ends on them
   double by = 0.03, toBy = 0;   // how wide it opens there, straight across: both alike is parallel, 0 is a hinge
   bool smooth = true;           // the edges run on in a curve over the opening; no: in straight lines
-  bool shared = false;          // of an opening in a corner both edges there get a half, not all of it the named one
+  bool folded = false;  // what opens is folded in: the first edge runs in straight lines, the other one through a hinge
+  bool shared = false;  // of an opening in a corner both edges there get a half, not all of it the named one
   enum class Stays {
     Larger,   // the larger part; the other is moved
     Ahead,    // the part from the slash's beginning on along the outline
@@ -34,6 +35,9 @@ struct OpenedPiece {
 // slash. Grain stays. Refuses a slash that leaves the piece or meets a hole, and an opening wider than the slash is
 // long.
 Result<OpenedPiece> spreadPiece(const Piece& piece, const Slash& slash);
+
+// The part in which one of the edges lies stays; where both have one, or none has, the slash says.
+Slash::Stays staying(const Outline& outline, const Slash& slash, const std::function<bool(const std::string&)>& kept);
 
 // Whether two slashes of an outline cross or touch elsewhere than at a hinge that both have.
 bool meet(const Outline& outline, const Slash& one, const Slash& other);

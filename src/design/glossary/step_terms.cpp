@@ -286,6 +286,7 @@ TermTable fieldTerms() {
       {"to.spread", say("To this edge")},
       {"to_at", say("Place along the other edge")},
       {"to_by", say("Opened at the other by")},
+      {"to.pleat", say("Runs out at this edge")},
       {"toe", say("Give before it holds")},
       {"toe_warp", say("Give, warp")},
       {"toe_weft", say("Give, weft")},

@@ -42,7 +42,7 @@ PleatPlan planOf(const Piece& piece, const AddPleat& op) {
   PleatPlan plan;
   plan.edge = op.edge.edge, plan.kind = op.kind, plan.depth = op.depth, plan.name = op.name;
   plan.taper = op.taper, plan.taperLength = op.taperLength;
-  plan.along = normalized(*op.along);
+  if (op.along) plan.along = normalized(*op.along);
   const double whole = op.edge.to - op.edge.from;
   const double length = piece.outline.edges[*piece.outline.find(op.edge.edge)].curve.length();
   // The middle of what a knife pleat covers is its place.
@@ -81,6 +81,18 @@ Result<PleatedPiece> pleated(const Document& document, const Piece& piece, const
   return fold(true);
 }
 
+// The ends of a fold where it is farther from its place, and where nearer; the same place twice: it is as far all
+// along.
+std::pair<Flat, Flat> endsByWidth(const InternalLine& fold, const InternalLine& place) {
+  constexpr double kAsFar = 2e-3;  // metres
+  const Flat from = fold.curves.front().start, to = fold.curves.back().end, along = normalized(to - from);
+  Flat beside = place.curves.front().start, beyond = place.curves.back().end;
+  if (dot(beyond - beside, along) < 0) std::swap(beside, beyond);
+  const double first = std::fabs(cross(along, beside - from)), last = std::fabs(cross(along, beyond - from));
+  if (std::fabs(first - last) <= kAsFar) return {from, from};
+  return first > last ? std::pair(from, to) : std::pair(to, from);
+}
+
 // The three lines are there, and which edge they run from.
 Done resolveLines(const Document& before, AddPleat& op) {
   if (op.lines.size() != 3)
@@ -109,7 +121,10 @@ Done resolveLines(const Document& before, AddPleat& op) {
     if (!edge) return refused(say("The edge and the lines of a pleat belong to one piece."));
     if (away(edge->curve, far) < away(edge->curve, near)) std::swap(near, far);
   } else {
+    // Where they come nearer to each other they run out; else they run down.
+    const auto [wide, narrow] = endsByWidth(fold, lineNamed(piece, op.lines.back().edge));
     if (far.v > near.v) std::swap(near, far);
+    if (distance(wide, narrow) > 0) near = wide, far = narrow;
     const auto& edges = piece.outline.edges;
     op.edge = {PieceRef(piece.id), std::min_element(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
                                      return away(a.curve, near) < away(b.curve, near);
@@ -119,10 +134,18 @@ Done resolveLines(const Document& before, AddPleat& op) {
   return {};
 }
 
+// Pleats that are folded one after the other stand together, when the last of them is.
+struct OneByOne {
+  const Document& first;  // before all of them
+  std::vector<PleatedPiece> earlier;
+  std::uint32_t seams = 0;  // that they have made
+  bool last = false;
+};
+
 class Pleating {
  public:
-  Pleating(const Document& before, const AddPleat& op, const PleatedPiece& made)
-      : before_(before), op_(op), made_(made), was_(*before.find(op.edge.piece.id)) {}
+  Pleating(const Document& before, const AddPleat& op, const PleatedPiece& made, const OneByOne& all)
+      : before_(before), op_(op), made_(made), was_(*before.find(op.edge.piece.id)), all_(all), seams_(all.seams) {}
 
   Result<Document> performed() {
     press();
@@ -130,12 +153,13 @@ class Pleating {
     after_ = withEdit(before_, made_.edited, &others);
     finishBeyond(was_.id, [](const std::string& name) { return name; });
     sew(was_.id, [](const EdgeSpan& span) { return span; });
-    if (Done done = stand(was_, [&](Flat place) { return made_.folded(place); }); !done) return done.error();
+    if (Done done = stand(was_.id, [&](Flat place) { return folded(place); }); !done) return done.error();
     movePins(was_.id, [&](Flat place) { return made_.spread(place); });
     for (const PieceId other : others)
       if (Done done = onCopy(other); !done) return done.error();
     return std::move(after_);
   }
+  std::uint32_t seams() const { return seams_; }
 
  private:
   void press() {
@@ -166,7 +190,6 @@ class Pleating {
       seam.a = {led(a)}, seam.b = {led(b)};
       seam.a.front().piece = seam.b.front().piece = id;
       seam.reversed = reversed, seam.tie = tie;
-      sewn_.insert(sewn_.end(), {seam.a.front(), seam.b.front()});
       after_.pattern.seams[seam.id] = std::move(seam);
     };
     for (const auto& layer : made_.layers) add(layer.a, layer.b, layer.reversed, Seam::Tie::Pleat);
@@ -185,8 +208,9 @@ class Pleating {
   }
 
   // Folded in place, each layer over the other. A piece that stands nowhere yet stays flat.
-  Done stand(const Piece& old, const std::function<FoldedPlace(Flat)>& folded) {
-    if (!old.form && old.pose == Rigid()) return {};
+  Done stand(PieceId id, const std::function<FoldedPlace(Flat)>& folded) {
+    const Piece& old = *all_.first.find(id);
+    if (!all_.last || (!old.form && old.pose == Rigid())) return {};
     Piece now = *after_.find(old.id);
     const auto whole = wholeOf(old);
     const auto edge = sewnNodes(now);
@@ -195,7 +219,7 @@ class Pleating {
       const FoldedPlace in = folded(place);
       // Where the layers are sewn to each other they lie together, no higher at a fold than beside it.
       if (!made_.overlapping && edge->contains({place.u, place.v})) return LiftedPlace{whole(in.place), kLayersApart};
-      return LiftedPlace{whole(in.place + in.clear), in.lifted * kLayersApart, made_.taper > 0};
+      return LiftedPlace{whole(in.place + in.clear), in.lifted * kLayersApart, made_.taper > 0 || made_.wedge};
     });
     if (!form) return form.error();
     now.form = *std::move(form);
@@ -203,12 +227,26 @@ class Pleating {
     return {};
   }
 
+  // On the paper as it was before the first of the pleats.
+  FoldedPlace folded(Flat place) const {
+    FoldedPlace in = made_.folded(place);
+    for (auto before = all_.earlier.rbegin(); before != all_.earlier.rend(); ++before) {
+      const FoldedPlace further = before->folded(in.place);
+      in = {further.place, in.lifted + further.lifted, in.clear + further.clear};
+    }
+    return in;
+  }
+
   // The nodes of a piece at which its layers are sewn to each other.
   Result<std::set<std::pair<double, double>>> sewnNodes(const Piece& piece) const {
     const auto laid = layAlone(piece, before_.settings.spacing);
     if (!laid) return laid.error();
     std::set<std::pair<double, double>> nodes;
-    for (const EdgeSpan& span : sewn_)
+    std::vector<EdgeSpan> sewn;
+    for (std::uint32_t k = 0; k < seams_; ++k)
+      if (const Seam& seam = after_.pattern.seams.at(mint<SeamId>(before_, k)); seam.tie == Seam::Tie::Pleat)
+        for (const auto* side : {&seam.a, &seam.b}) sewn.insert(sewn.end(), side->begin(), side->end());
+    for (const EdgeSpan& span : sewn)
       if (const auto edge = (*laid)->edges.find(span.edge); span.piece == piece.id && edge != (*laid)->edges.end())
         for (std::size_t k = 0; k < edge->second.nodes.size(); ++k) {
           const Flat at = (*laid)->nodes[edge->second.nodes[k]];
@@ -222,7 +260,12 @@ class Pleating {
   // drape then draws together. Flat paper is folded together at once.
   std::function<Flat(Flat)> wholeOf(const Piece& old) const {
     if (!made_.drawn || !old.form) return [](Flat place) { return place; };
-    const Flat across = &old == &was_ ? made_.across : Flat{-made_.across.u, made_.across.v};
+    if (made_.wedge) {
+      const auto reopened = made_.wedge->reopened(was_.outline);
+      if (old.id == was_.id) return reopened;
+      return [reopened](Flat place) { return across(reopened(across(place))); };
+    }
+    const Flat across = old.id == was_.id ? made_.across : Flat{-made_.across.u, made_.across.v};
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const Flat p : old.outline.flattened(1e-3))
       low = std::min(low, dot(p, across)), high = std::max(high, dot(p, across));
@@ -257,8 +300,8 @@ class Pleating {
     finishBeyond(id, named);
     sew(id, [&](const EdgeSpan& span) { return EdgeSpan{id, named(span.edge), 1 - span.to, 1 - span.from}; });
     movePins(id, [&](Flat place) { return across(made_.spread(across(place))); });
-    return stand(old, [&](Flat place) {
-      const FoldedPlace in = made_.folded(across(place));
+    return stand(id, [&](Flat place) {
+      const FoldedPlace in = folded(across(place));
       return FoldedPlace{across(in.place), in.lifted, across(in.clear)};
     });
   }
@@ -267,9 +310,9 @@ class Pleating {
   const AddPleat& op_;
   PleatedPiece made_;
   const Piece& was_;
+  const OneByOne& all_;
   Document after_;
-  std::uint32_t seams_ = 0;
-  std::vector<EdgeSpan> sewn_;  // edges at which layers are sewn to each other
+  std::uint32_t seams_;
 };
 
 // Layers that are sewn to each other have to be bent within their depth: tucks of 10 and 15 mm on cells of 9 mm tore,
@@ -285,6 +328,59 @@ void tellCoarse(const Document& before, const Piece& piece, const AddPleat& op, 
                   piece.id});
 }
 
+// Pleats that run out at another edge, one after the other: each slashes the paper the one before has left.
+Result<Document> pleatedTo(const Document& before, const Piece& piece, const AddPleat& op) {
+  const PleatPlan plan = planOf(piece, op);
+  const AllowancePlan kinds(before.pattern, before.allowances);
+  const auto onFold = [&](const std::string& edge) { return kinds.kind(piece.id, edge) == EdgeKind::Fold; };
+  Document after = before;
+  std::vector<EdgeMap> maps;
+  OneByOne all{before, {}};
+  for (std::size_t n = 0; n < plan.at.size(); ++n) {
+    // The outline runs along one edge and back along the other.
+    const double share = (plan.at[n] - op.edge.from) / (op.edge.to - op.edge.from);
+    Slash slash{op.edge.edge, op.to.edge, plan.at[n], op.toAt.value_or(std::lerp(op.to.to, op.to.from, share))};
+    slash.by = 2 * op.depth;
+    slash.stays = staying(piece.outline, slash, onFold);
+    for (const EdgeMap& map : maps) {
+      std::tie(slash.from, slash.at) = *placeNow(map, piece.id, slash.from, slash.at);
+      std::tie(slash.to, slash.toAt) = *placeNow(map, piece.id, slash.to, slash.toAt);
+    }
+    auto made = addPleatTo(*after.find(piece.id), slash, plan.toStart[n], op.name);
+    if (!made) return made.error();
+    maps.push_back(made->edited.edges);
+    all.last = n + 1 == plan.at.size();
+    Pleating pleating(after, op, *made, all);
+    auto next = pleating.performed();
+    if (!next) return next;
+    all.seams = pleating.seams(), all.earlier.push_back(*std::move(made));
+    after = *std::move(next);
+  }
+  return after;
+}
+
+Done resolveTo(const Document& before, AddPleat& op) {
+  if (!op.to) {
+    if (op.toAt)
+      return refused(say("to_at is a place on the edge at which the pleat runs out; name that, too: to=EDGE."));
+    return {};
+  }
+  if (!op.lines.empty()) return refused(say("A drawn pleat ends where its lines do; leave to= away."));
+  if (op.kind != PleatKind::Knife)
+    return refused(
+        say("Pleats that run out at another edge are knife pleats; two of them, turned=outwards or inwards, make a box "
+            "or inverted pleat."));
+  if (op.taper > 0) return refused(say("A pleat that runs out at another edge tapers to there; leave taper= away."));
+  if (Done done = resolve(before, op.to); !done) return done;
+  if (op.to.piece.id != op.edge.piece.id || op.to.edge == op.edge.edge)
+    return refused(say("A pleat runs out at another edge of its piece."));
+  if (op.toAt && op.count > 1)
+    return refused(say("The place is that of a single pleat; several are spread over the edge or a part of it."));
+  if (op.toAt && !(*op.toAt >= 0 && *op.toAt <= 1))
+    return refused(say("A place on an edge lies between 0, its beginning, and 1, its end."));
+  return {};
+}
+
 }  // namespace
 
 Done resolve(const Document& before, AddPleat& op, Context& context) {
@@ -297,6 +393,7 @@ Done resolve(const Document& before, AddPleat& op, Context& context) {
               "lines=\"skirt.fold skirt.inner skirt.place\"."));
     if (Done done = resolve(before, op.edge); !done) return done;
   }
+  if (Done done = resolveTo(before, op); !done) return done;
   if (op.name.empty()) op.name = "pleat";
   if (Done done = checkName(op.name); !done) return done;
   if (op.count < 1 || op.count > 200) return refused(say("An edge takes 1 to 200 pleats."));
@@ -312,6 +409,10 @@ Done resolve(const Document& before, AddPleat& op, Context& context) {
   if (op.along && !(length(*op.along) > 1e-6 && finite(*op.along)))
     return refused(say("The pleats have no direction; write along=0,1 for upwards."));
   const Piece& piece = *before.find(op.edge.piece.id);
+  if (op.to) {
+    if (op.along) return refused(say("Pleats that run out at another edge lead straight there; leave along= away."));
+    return {};
+  }
   if (!op.along) op.along = directionOf(piece, op.edge);
   if (!context.recorded && op.lines.empty() && leadsOut(piece, op)) op.along = Flat{} - *op.along;
   return {};
@@ -319,10 +420,15 @@ Done resolve(const Document& before, AddPleat& op, Context& context) {
 
 Result<Document> perform(const Document& before, const AddPleat& op, Context& context) {
   const Piece& piece = *before.find(op.edge.piece.id);
+  if (op.to) {
+    auto made = pleatedTo(before, piece, op);
+    if (made) tellCoarse(before, piece, op, context);
+    return made;
+  }
   const auto made = pleated(before, piece, op);
   if (!made) return made.error();
   tellCoarse(before, piece, op, context);
-  return Pleating(before, op, *made).performed();
+  return Pleating(before, op, *made, {before, {}, 0, true}).performed();
 }
 
 }  // namespace karinui

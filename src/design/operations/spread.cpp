@@ -95,17 +95,6 @@ std::vector<Slash> onBothHalves(const Outline& outline, const std::vector<Slash>
   return all;
 }
 
-// The part in which one of the edges lies stays; where both have one, or none has, the slash says.
-Slash::Stays staying(const Outline& outline, const Slash& slash, const std::function<bool(const std::string&)>& kept) {
-  const std::size_t n = outline.edges.size(), from = *outline.find(slash.from), to = *outline.find(slash.to);
-  bool ahead = false, behind = false;
-  for (std::size_t k = 0; k < n; ++k)
-    if (k != from && k != to && kept(outline.edges[k].name))
-      ((k + n - from) % n < (to + n - from) % n ? ahead : behind) = true;
-  if (slash.stays != Slash::Stays::Larger || ahead == behind) return slash.stays;
-  return ahead ? Slash::Stays::Ahead : Slash::Stays::Behind;
-}
-
 // On the piece and, as its mirror image, on its symmetric copies. What became of the edges is left in `map`.
 Result<Document> spread(Document document, PieceId id, const Slash& slash, EdgeMap& map) {
   const Piece piece = *document.find(id);

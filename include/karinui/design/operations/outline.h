@@ -262,18 +262,19 @@ struct SlashAndSpread {
 
 // pleat edge=skirt.waist count=6 depth=2cm        pleat edge=skirt.waist@0.2:0.8 kind=box depth=3cm stitch=10cm
 // pleat edge=skirt.waist count=6 depth=3cm taper=16mm taper_length=18cm
+// pleat edge=skirt.waist to=skirt.hem count=2 depth=3cm turned=inwards
 // pleat lines="skirt.fold skirt.inner skirt.place"
 struct AddPleat {
   static constexpr std::string_view kName = "pleat";
   static constexpr std::string_view kHelp =
       "Folds pleats or tucks into an edge: spreads the paper for them and sews their layers together there.";
   static constexpr bool kDisturbsDrape = true;
-  EdgeRef edge;
+  EdgeRef edge, to;
   std::vector<EdgeRef> lines;
   PleatKind kind = PleatKind::Knife;
   Length depth{0.02};
   int count = 1;
-  std::optional<double> at;
+  std::optional<double> at, toAt;
   enum class Turned { Along, Against, Inwards, Outwards } turned = Turned::Along;
   std::optional<Flat> along;
   Length stitch;
@@ -285,7 +286,7 @@ struct AddPleat {
     visit(
         "edge", self.edge,
         "the edge, or the part of it, over which the pleats are spread evenly; with lines: the one from which they run "
-        "(otherwise that at their upper end)",
+        "(otherwise that where they are farther apart, or at their upper end)",
         kOptional);
     visit(
         "lines", self.lines,
@@ -300,6 +301,11 @@ struct AddPleat {
           kOptional);
     visit("count", self.count, "how many", kOptional);
     visit("at", self.at, "the place of a single one, as a share of the edge's length", kOptional);
+    visit("to", self.to,
+          "the edge, or the part of it, at which knife pleats run out: the paper is slashed to there and opened",
+          kOptional);
+    visit("to_at", self.toAt, "the place there of a single one (otherwise as far along as on the first edge)",
+          kOptional);
     visit("turned", self.turned,
           "the folds of knife pleats: along or against the edge's direction, inwards to its middle, or outwards",
           kOptional);
