@@ -136,8 +136,11 @@ void Session::command(Command command) {
       copy.by = {0.05, 0, 0.05};
       return in.perform(std::move(copy));
     }
-    case Command::Mirror:
-      return in.perform(MirrorPiece{chosen().front(), ""});
+    case Command::Mirror: {
+      MirrorPiece copy;
+      copy.piece = chosen().front(), copy.sewn = true;
+      return in.perform(std::move(copy));
+    }
     case Command::Freeze: {
       const Piece* first = in.state.snapshot->document.find(chosen().front().id);
       return in.perform(FreezePieces{chosen(), !first->frozen});

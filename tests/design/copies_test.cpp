@@ -336,5 +336,85 @@ TEST(Copies, AreCutLikewiseWhereverTheCutRuns) {
   EXPECT_GT(done, 30);
 }
 
+const Seam* seamBetween(const Document& document, const char* one, const char* other) {
+  const auto on = [&](const std::vector<EdgeSpan>& side, const char* name) {
+    return std::all_of(side.begin(), side.end(),
+                       [&](const EdgeSpan& span) { return document.find(span.piece)->name == name; });
+  };
+  for (const auto& [id, seam] : document.pattern.seams)
+    if ((on(seam.a, one) && on(seam.b, other)) || (on(seam.a, other) && on(seam.b, one))) return &seam;
+  return nullptr;
+}
+
+// The place on paper at a share of a run's length.
+Flat placeAlong(const Document& document, const std::vector<EdgeSpan>& run, double share) {
+  double whole = 0;
+  for (const EdgeSpan& span : run) whole += findCurve(*document.find(span.piece), span.edge)->length();
+  double left = share * whole;
+  for (const EdgeSpan& span : run) {
+    const Curve& curve = *findCurve(*document.find(span.piece), span.edge);
+    if (left <= curve.length() + 1e-12) return curve.atFraction(std::min(1.0, left / curve.length()));
+    left -= curve.length();
+  }
+  return findCurve(*document.find(run.back().piece), run.back().edge)->end;
+}
+
+// A second frill is sewn to the other front, by edges that run the other way; one that is sewn there already stays.
+TEST(Copies, AreSewnToTheCopiesOfWhatThePieceIsSewnTo) {
+  Pair pair(
+      "piece name=frill_left outline=\"M 0 0; low L 450 0; end L 450 60; top L 0 60; begin L 0 0\"\n"
+      "sew a=frill_left.low b=front_left.hem name=frill_left\n"
+      "sew a=frill_left.end b=cuff_left.low\nsew a=cuff_right.low b=back.hem\n");
+  pair.advice.clear();
+  ASSERT_EQ(pair.play("mirror piece=frill_left sewn=yes\n"), "");
+  const Document& now = pair.file.document();
+  const Seam* seam = seamBetween(now, "frill_right", "front_right");
+  const Seam& own = *seamBetween(now, "frill_left", "front_left");
+  ASSERT_TRUE(seam);
+  EXPECT_EQ(seam->name, "frill_right");
+  EXPECT_EQ(seam->reversed, own.reversed);
+  EXPECT_EQ(seam->tie, own.tie);
+  for (const double share : {0.0, 0.3, 1.0}) {
+    EXPECT_LT(distance(placeAlong(now, seam->a, share), across(placeAlong(now, own.a, 1 - share))), 1e-9);
+    EXPECT_LT(distance(placeAlong(now, seam->b, share), across(placeAlong(now, own.b, 1 - share))), 1e-9);
+  }
+  EXPECT_EQ(seamBetween(now, "frill_right", "cuff_right"), nullptr);
+  EXPECT_THAT(pair.advice, ::testing::ElementsAre(HasSubstr("is on the side of")));
+}
+
+// A second pocket is sewn onto the other front, or the other half of a symmetric piece, whose lines are drawn; not
+// where it would lie on the first.
+TEST(Copies, OfPocketsAreSewnToLinesOfTheirOwn) {
+  for (const bool halves : {false, true}) {
+    const std::string on = halves ? "skirt" : "front_left", other = halves ? "skirt" : "front_right";
+    Pair pair(
+        "piece name=skirt outline=\"M -300 0; hem L 300 0; side_left L 250 500; waist L -250 500; side_right L -300 "
+        "0\"\n"
+        "rectangle name=pocket_left width=10cm height=12cm\npatch piece=pocket_left open=top at=15cm,20cm on=" +
+        on + "\n");
+    pair.advice.clear();
+    ASSERT_EQ(pair.play("mirror piece=pocket_left\n"), "");
+    EXPECT_THAT(pair.advice, ::testing::ElementsAre(HasSubstr("sewn=yes does that")));
+    ASSERT_EQ(pair.play("remove piece=pocket_right\nmirror piece=pocket_left sewn=yes\n"), "");
+    const Document& now = pair.file.document();
+    const Seam* seam = seamBetween(now, "pocket_right", other.c_str());
+    ASSERT_TRUE(seam);
+    EXPECT_EQ(seam->b.size(), 3u);
+    const Flat middle{0, 0.06}, at{0.15, 0.2};
+    for (const double share : {0.0, 0.1, 0.3, 0.5, 0.8, 1.0}) {
+      const Flat edge = across(placeAlong(now, seam->a, share)),
+                 line = across(placeAlong(now, seam->b, seam->reversed ? 1 - share : share));
+      EXPECT_LT(distance(edge - middle + at, line), 1e-9) << halves << share;
+    }
+  }
+  Pair pair(
+      "piece name=skirt outline=\"M -300 0; hem L 300 0; side_left L 300 500; waist L -300 500; side_right L -300 0\"\n"
+      "rectangle name=pouch width=20cm height=12cm\npatch piece=pouch on=skirt at=2cm,20cm open=top\n");
+  pair.advice.clear();
+  ASSERT_EQ(pair.play("mirror piece=pouch sewn=yes\n"), "");
+  EXPECT_THAT(pair.advice, ::testing::ElementsAre(HasSubstr("is on the side of")));
+  EXPECT_EQ(pair["skirt"].lines.size(), 3u);
+}
+
 }  // namespace
 }  // namespace karinui

@@ -123,6 +123,7 @@ TermTable fieldTerms() {
       {"clear", say("Only as far as it lies clear")},
       {"seams", say("The seams within the piece")},
       {"seams.remove", say("Seams that run on")},
+      {"sewn", say("Sewn as the piece is")},
       {"trued", say("Trued across the seams")},
       {"whole", say("All of a curved edge")},
       {"corners", say("Corners, by the edges that start there")},

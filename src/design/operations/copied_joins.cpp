@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "design/operations/sewn_runs.h"
+#include "karinui/design/sewing.h"
 #include "karinui/pattern/likeness.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -149,6 +152,128 @@ Document withCopiedSeams(Document document, PieceId piece, PieceId copy, bool mi
     document.pattern.seams[seam.id] = std::move(seam);
   }
   return document;
+}
+
+namespace {
+
+// Where the mirror image of an inner line is drawn, and how it comes there: on the symmetric copy, or on the other
+// half.
+struct OtherHalf {
+  PieceId piece;
+  std::function<Curve(const Curve&)> image;
+};
+std::optional<OtherHalf> otherHalf(const Document& document, PieceId on) {
+  if (const auto all = likenesses(document, on); !all.empty())
+    return OtherHalf{all.front(), [](const Curve& curve) { return curve.mirrored({0, 0}, {0, 1}); }};
+  if (const auto symmetry = symmetryOf(document.find(on)->outline))
+    return OtherHalf{on, [symmetry](const Curve& curve) { return symmetry->image(curve); }};
+  return std::nullopt;
+}
+
+// Whether what is sewn to one curve has no room beside what is sewn to the other.
+bool nearEachOther(const Curve& one, const Curve& other) {
+  constexpr double kNear = 0.005, kStep = 0.002;  // metres
+  const auto places = [](const Curve& curve) {
+    return curve.evenly(0, 1, std::max(1, static_cast<int>(curve.length() / kStep)));
+  };
+  const auto here = places(one), there = places(other);
+  return std::any_of(here.begin(), here.end(), [&](Flat a) {
+    return std::any_of(there.begin(), there.end(), [&](Flat b) { return distance(a, b) < kNear; });
+  });
+}
+
+std::string nameOfImage(const Document& document, const std::string& name) {
+  if (name.empty()) return name;
+  const auto taken = [&](const std::string& wanted) {
+    const auto& seams = document.pattern.seams;
+    return std::any_of(seams.begin(), seams.end(), [&](const auto& one) { return one.second.name == wanted; });
+  };
+  std::string free = otherSide(name);
+  for (int n = 2; taken(free); ++n) free = otherSide(name) + "_" + std::to_string(n);
+  return free;
+}
+
+// Of edges that are sewn to edges.
+std::optional<Seam> onEdges(const Document& document, const Seam& own) {
+  SewEdges sew;
+  for (const auto& [from, to] : {std::pair{&own.a, &sew.a}, std::pair{&own.b, &sew.b}})
+    for (const EdgeSpan& span : *from) to->push_back({PieceRef(span.piece), span.edge, span.from, span.to});
+  const auto image = mirrorImage(document, sew);
+  if (!image) return std::nullopt;
+  Seam seam = own;
+  seam.a = spansOf(image->a), seam.b = spansOf(image->b);
+  return seam;
+}
+
+// Of the piece's edges that are sewn to inner lines of another, as a pocket's: the lines are drawn, too, and run the
+// other way as the edges do, so that they have the pocket on the same side.
+std::optional<Seam> onLines(Document& document, const Seam& own, PieceId piece, PieceId copy) {
+  const bool edgesFirst = holds(own.a, piece);
+  const auto &edges = edgesFirst ? own.a : own.b, &lines = edgesFirst ? own.b : own.a;
+  const PieceId on = lines.front().piece;
+  const bool plain =
+      std::all_of(
+          edges.begin(), edges.end(),
+          [&](const EdgeSpan& span) { return span.piece == piece && findEdge(*document.find(piece), span.edge); }) &&
+      std::all_of(lines.begin(), lines.end(),
+                  [&](const EdgeSpan& span) { return span.piece == on && !findEdge(*document.find(on), span.edge); });
+  const auto there = plain ? otherHalf(document, on) : std::nullopt;
+  auto copiedEdges = there ? copied(document, edges, {{piece, copy}}, true, false) : std::nullopt;
+  if (!copiedEdges) return std::nullopt;
+  const Piece& from = *document.find(on);
+  Piece other = *document.find(there->piece);
+  std::vector<EdgeSpan> copiedLines;
+  for (const EdgeSpan& span : lines) {
+    const Curve image = there->image(*findCurve(from, span.edge)).reversed();
+    if (there->piece == on && std::any_of(lines.begin(), lines.end(), [&](const EdgeSpan& line) {
+          return nearEachOther(image, *findCurve(from, line.edge));
+        }))
+      return std::nullopt;
+    const std::string stem = document.find(piece)->name + "_";
+    const std::string wanted = span.edge.starts_with(stem)
+                                   ? document.find(copy)->name + "_" + otherSide(span.edge.substr(stem.size()))
+                                   : otherSide(span.edge);
+    std::string name = wanted;
+    for (int n = 2; findCurve(other, name); ++n) name = wanted + "_" + std::to_string(n);
+    other.lines.push_back({name, {image}, std::nullopt});
+    copiedLines.push_back({other.id, name, 1 - span.to, 1 - span.from});
+  }
+  std::reverse(copiedLines.begin(), copiedLines.end());
+  Seam seam = own;
+  (edgesFirst ? seam.a : seam.b) = *std::move(copiedEdges);
+  (edgesFirst ? seam.b : seam.a) = std::move(copiedLines);
+  document = withPiece(std::move(document), std::move(other));
+  return seam;
+}
+
+}  // namespace
+
+MirroredSeams withMirroredSeams(Document document, PieceId piece, PieceId copy, std::size_t made) {
+  const Document before = document;
+  MirroredSeams all{std::move(document), 0, {}};
+  const auto others = [&](const std::vector<EdgeSpan>& side) {
+    return std::any_of(side.begin(), side.end(), [&](const EdgeSpan& span) { return span.piece != piece; });
+  };
+  const auto lined = [&](const std::vector<EdgeSpan>& side) {
+    return std::any_of(side.begin(), side.end(),
+                       [&](const EdgeSpan& span) { return !findEdge(*before.find(span.piece), span.edge); });
+  };
+  for (const auto& [id, own] : before.pattern.seams) {
+    if ((!holds(own.a, piece) && !holds(own.b, piece)) || (!others(own.a) && !others(own.b))) continue;
+    auto seam = lined(own.a) || lined(own.b) ? onLines(all.document, own, piece, copy) : onEdges(all.document, own);
+    if (!seam) {
+      all.left.push_back(id);
+      continue;
+    }
+    seam->id = mint<SeamId>(before, static_cast<std::uint32_t>(made + all.sewn++));
+    seam->name = nameOfImage(all.document, own.name);
+    for (const auto* side : {&seam->a, &seam->b})
+      for (const EdgeSpan& span : *side) all.document.drape.dirty.insert(span.piece);
+    if (const auto eased = before.eases.find(id); eased != before.eases.end())
+      all.document.eases[seam->id] = eased->second;
+    all.document.pattern.seams[seam->id] = *std::move(seam);
+  }
+  return all;
 }
 
 }  // namespace karinui

@@ -18,6 +18,17 @@ void decideSeamsWithin(const Document& document, PieceId piece, Choice& seams, c
 // The document with these seams sewn on the piece's copy too. `mirror`: it is a mirror image.
 Document withCopiedSeams(Document document, PieceId piece, PieceId copy, bool mirror);
 
+// What sews a piece to others, as a cuff to its sleeve or a pocket onto a front, and would sew its mirror image to
+// their images: symmetric copies, or the other halves of symmetric pieces. Where a piece is sewn to inner lines, these
+// are drawn there, too. `left`: the seams of which something has no image, or one that is sewn already.
+struct MirroredSeams {
+  Document document;
+  std::size_t sewn = 0;
+  std::vector<SeamId> left;
+};
+// `made`: seams that the operation has made before.
+MirroredSeams withMirroredSeams(Document document, PieceId piece, PieceId copy, std::size_t made);
+
 // The same fastening between the symmetric copies of its pieces. Nothing where one has none that is a likeness, or
 // where the copies are the pieces themselves, as of two fronts that are buttoned to each other.
 std::optional<Fastening> fasteningOnCopies(const Document& document, const Fastening& own);

@@ -1,4 +1,5 @@
 #include "design/operations/copied_joins.h"
+#include "design/spoken.h"
 
 namespace karinui {
 
@@ -8,6 +9,31 @@ Done resolve(const Document& before, MirrorPiece& op, Context& context) {
   if (op.name.empty()) op.name = nameOfCopy(before, before.find(op.piece.id)->name);
   return checkNewName(before, op.name);
 }
+
+namespace {
+
+// With what sews the copy to others, if it is to be; else it is told that there is such.
+Document sewnLikewise(Document document, const MirrorPiece& op, PieceId copy, const Context& context) {
+  const std::string name = document.find(op.piece.id)->name;
+  const std::size_t made = op.seams == Choice::Yes ? ownSeams(document, op.piece.id).size() : 0;
+  MirroredSeams likewise = withMirroredSeams(document, op.piece.id, copy, made);
+  if (!op.sewn) {
+    if (context.advise && likewise.sewn > 0)
+      context.advise(
+          {say("“{0}” is not sewn to other pieces, as “{1}” is; sewn=yes does that, too.", op.name, name), copy});
+    return document;
+  }
+  if (context.advise)
+    for (const SeamId id : likewise.left)
+      context.advise(
+          {say("Seam {0} is on the side of “{1}” alone: what it is sewn to there has no mirror image, or one that "
+               "is sewn already.",
+               spoken(*document.find(id)), name),
+           copy});
+  return std::move(likewise.document);
+}
+
+}  // namespace
 
 Result<Document> perform(const Document& before, const MirrorPiece& op, Context& context) {
   Piece copy = mirrored(*before.find(op.piece.id));
@@ -25,6 +51,7 @@ Result<Document> perform(const Document& before, const MirrorPiece& op, Context&
     if (before.find(piece->mirrorOf)) copies[own] = piece->mirrorOf, copies[piece->mirrorOf] = own;
   copies[op.piece.id] = id;
   if (op.seams == Choice::Yes) after = withCopiedSeams(std::move(after), op.piece.id, id, true);
+  after = sewnLikewise(std::move(after), op, id, context);
   return withCopiedFastenings(std::move(after), op.piece.id, copies, true, context);
 }
 

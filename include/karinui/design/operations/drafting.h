@@ -147,11 +147,17 @@ struct MirrorPiece {
   PieceRef piece;
   std::string name;
   Choice seams = Choice::Auto;
+  bool sewn = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to mirror", kNeeded);
     visit("name", self.name, "the copy's name (otherwise left and right change places in it)", kOptional);
     visit("seams", self.seams, kSeamsWithinHelp, kOptional);
+    visit(
+        "sewn", self.sewn,
+        "yes: also sewn as the piece is to others, to their symmetric copies or other halves; lines it is sewn to are "
+        "drawn there",
+        kOptional);
   }
   bool operator==(const MirrorPiece&) const = default;
 };
