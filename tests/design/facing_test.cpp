@@ -24,6 +24,55 @@ TEST(FacedEdges, LieWithinTheSkirt) {
     expectWithin(document, facing, front, findEdge(facing, "inner")->curve.atFraction(f));
 }
 
+// Over darts a facing is one piece, whose paper is as long as the waist is with its darts closed; its sides stay sewn
+// to the facing beside. Told not to, or as a record of before, it is in parts.
+TEST(FacedEdges, GoOnOverClosedDarts) {
+  const std::string skirt =
+      "piece name=front outline=\"M -250 0; hem L 250 0; side_left L 240 500; waist L -240 500; side_right L -250 0\"\n"
+      "dart edge=front.waist at=0.3 tip=9cm,38cm width=3cm\n"
+      "piece name=back outline=\"M -250 0; hem L 250 0; side_left L 240 500; waist L -240 500; side_right L -250 0\" "
+      "pose=\"0,0,-0.3 y 180deg\"\n"
+      "sew a=front.side_left b=back.side_right\nsew a=front.side_right b=back.side_left\n";
+  const std::string faced = "facing edges=\"front.waist* back.waist\" width=5cm";
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const Done played = room.play(file, skirt);
+  ASSERT_TRUE(played) << text(played.error().what);
+  const auto facings = [](const Document& document) {
+    std::map<std::string, double> waists;
+    for (const auto& [id, piece] : document.pattern.pieces)
+      if (piece->name.find("facing") != std::string::npos)
+        for (const Edge& edge : piece->outline.edges)
+          if (edge.name.starts_with("waist")) waists[piece->name] += edge.curve.length();
+    return waists;
+  };
+  using testing::DoubleNear, testing::ElementsAre, testing::Pair;
+  const auto one = apply(file.document(), op(faced), room.context);
+  ASSERT_TRUE(one) << text(one.error().what);
+  EXPECT_THAT(facings(*one),
+              ElementsAre(Pair("back_facing", DoubleNear(0.48, 1e-6)), Pair("front_facing", DoubleNear(0.42, 5e-4))));
+  const Piece& facing = *one->pieceNamed("front_facing");
+  EXPECT_EQ(facing.grain, one->pieceNamed("front")->grain);
+  std::size_t across = 0, on = 0;
+  for (const auto& [id, seam] : one->pattern.seams) {
+    const auto holds = [&](const std::vector<EdgeSpan>& side, const char* name) {
+      return side.front().piece == one->pieceNamed(name)->id;
+    };
+    across += (holds(seam.a, "front_facing") && holds(seam.b, "back_facing")) ||
+              (holds(seam.b, "front_facing") && holds(seam.a, "back_facing"));
+    on += holds(seam.b, "front_facing") && seam.tie == Seam::Tie::Pleat;
+  }
+  EXPECT_EQ(across, 2u);
+  EXPECT_EQ(on, 3u);
+  const auto parts = apply(file.document(), op(faced + " closed=no"), room.context);
+  ASSERT_TRUE(parts);
+  EXPECT_EQ(facings(*parts).size(), 4u);
+  room.context.recorded = true;
+  const auto old = apply(file.document(), op(faced), room.context);
+  ASSERT_TRUE(old);
+  EXPECT_EQ(facings(*old).size(), 4u);
+}
+
 // Two slanted panels and a straight one, whose middle one's lining is sewn to nothing but linings.
 const char* const kPanels =
     "piece name=first outline=\"M 0 0; hem L 200 0; side L 200 300; top L 60 300; free L 0 0\"\n"

@@ -155,6 +155,7 @@ TermTable fieldTerms() {
       {"finer", say("Sewn up in finer cells")},
       {"first", say("From the end to the first")},
       {"facings", say("Facings with it")},
+      {"closed.facing", say("In one over closed darts")},
       {"flared", say("Cut to lie on it")},
       {"flex", say("Forwards, or bent")},
       {"form", say("Dress form")},

@@ -4,6 +4,7 @@
 
 #include "design/operations/cut_parts.h"
 #include "design/operations/lifted_form.h"
+#include "design/operations/merged.h"
 #include "design/operations/operations.h"
 #include "karinui/pattern/pleats.h"
 
@@ -43,6 +44,38 @@ void tellPleated(const Document& before, const std::vector<RunOnPiece>& runs, co
   }
 }
 
+bool lieOnOne(const Document& document, const Seam& seam) {
+  const PieceId piece = seam.a.front().piece;
+  const auto own = [&](const EdgeSpan& span) {
+    return span.piece == piece && document.find(piece)->outline.find(span.edge).has_value();
+  };
+  return std::all_of(seam.a.begin(), seam.a.end(), own) && std::all_of(seam.b.begin(), seam.b.end(), own);
+}
+
+// The facings on both sides of a dart become one, whose paper has the dart closed: the larger keeps its grain, the name
+// is that of the first. Where they cannot lie edge to edge they stay apart, sewn to each other.
+Document closedOver(Document document, const std::vector<SeamId>& darts, std::uint32_t seams, const Context& context) {
+  Context silent = context;
+  silent.advise = {};
+  for (const SeamId dart : darts) {
+    const Seam seam = document.pattern.seams.at(dart);
+    MergePieces merge;
+    for (const auto& [side, run] : {std::pair{&seam.a, &merge.a}, std::pair{&seam.b, &merge.b}})
+      for (const EdgeSpan& span : *side) run->push_back({PieceRef(span.piece), span.edge});
+    const PieceId a = merge.a.front().piece.id, b = merge.b.front().piece.id;
+    if (document.find(a)->outline.area() < document.find(b)->outline.area()) std::swap(merge.a, merge.b);
+    if (!resolveRuns(document, merge, silent)) continue;
+    const std::string name = document.find(std::min(a, b))->name;
+    auto one = merged(document, merge, nullptr, seams, silent, false);
+    if (!one) continue;
+    document = *std::move(one);
+    auto piece = std::make_shared<Piece>(*document.find(merge.a.front().piece.id));
+    piece->name = name;
+    document.pattern.pieces[piece->id] = std::move(piece);
+  }
+  return document;
+}
+
 }  // namespace
 
 Done resolve(const Document& before, FaceEdges& op, Context& context) {
@@ -57,12 +90,13 @@ Done resolve(const Document& before, FaceEdges& op, Context& context) {
   if (!(op.width >= 0.005 && op.width <= 0.5)) return refused(say("A facing is 5 mm to 50 cm deep."));
   if (!op.fabric.empty())
     if (Done done = checkFabricName(before, op.fabric); !done) return done;
-  if (op.eases == Choice::Auto && !context.recorded) op.eases = Choice::Yes;
+  for (Choice* choice : {&op.eases, &op.closed})
+    if (*choice == Choice::Auto && !context.recorded) *choice = Choice::Yes;
   return {};
 }
 
 Result<Document> perform(const Document& before, const FaceEdges& op, Context& context) {
-  if (context.advise && std::any_of(op.edges.begin(), op.edges.end(), [&](const EdgeRef& edge) {
+  if (context.advise && before.drape.last && std::any_of(op.edges.begin(), op.edges.end(), [&](const EdgeRef& edge) {
         return !before.find(edge.piece.id)->form || before.drape.dirty.contains(edge.piece.id);
       }))
     context.advise({say("Drape the garment before it is faced: the facing then lies close inside it.")});
@@ -81,6 +115,7 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context& c
     after.pattern.seams[id] = std::move(seam);
     return id;
   };
+  std::vector<SeamId> darts;                  // by which facings are sewn to each other
   std::vector<DividedPart::EdgePart> beside;  // of all facings, but for the runs themselves
   for (const RunOnPiece& run : runs) {
     const Piece& outer = *after.find(run.piece);
@@ -119,10 +154,12 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context& c
     own.a = onParts(seam.a, beside), own.b = onParts(seam.b, beside);
     if (own.a.empty() || own.b.empty()) continue;
     const auto ease = op.eases == Choice::Yes ? easeOnParts(before, seam, after, own) : std::nullopt;
+    const bool dart = lieOnOne(before, seam);
     const SeamId sewnAs = sew(std::move(own));
     if (ease) after.eases[sewnAs] = *ease;
+    if (dart) darts.push_back(sewnAs);
   }
-  return after;
+  return op.closed == Choice::Yes ? closedOver(std::move(after), darts, sewn, context) : after;
 }
 
 }  // namespace karinui

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "design/operations/merged.h"
 #include "design/operations/new_piece.h"
 #include "design/operations/seam_parts.h"
 #include "design/spoken.h"
@@ -75,17 +76,17 @@ bool meetInSpace(const Piece& a, const Piece& b, const MergePieces& op) {
   return true;
 }
 
-// Where the cloth of both stands. What stood elsewhere is led along the edge first; cloth that was never laid on the
-// body stays flat.
-std::shared_ptr<const Form> mergedForm(const Document& before, const MergePieces& op, const PaperMove& move) {
+// Where the cloth of both stands. What stood elsewhere is led along the edge first, if it is to be; cloth that was
+// never laid on the body stays flat.
+std::shared_ptr<const Form> mergedForm(const Document& before, const MergePieces& op, const PaperMove& move, bool led) {
   const Piece& a = *before.find(op.a.front().piece.id);
   Piece b = *before.find(op.b.front().piece.id);
   if (!a.form && !b.form) return nullptr;
-  if (!meetInSpace(a, b, op)) {
+  if (led && !meetInSpace(a, b, op)) {
     if (op.b.size() > 1) return a.form;
-    auto led = attached(before, b, op.b.front().edge, runOf(before, op.a), {}, nullptr);
-    if (!led) return a.form;
-    b = *std::move(led);
+    auto along = attached(before, b, op.b.front().edge, runOf(before, op.a), {}, nullptr);
+    if (!along) return a.form;
+    b = *std::move(along);
   }
   const auto formOf = [&](const Piece& piece) -> std::shared_ptr<const Form> {
     if (piece.form) return piece.form;
@@ -119,6 +120,8 @@ void tellMerged(const Document& before, const MergePieces& op, const PaperMove& 
     context.advise({say("The cloth of “{0}” is cut {1} degrees off its own grain now; that of “{2}” is kept.", b.name,
                         fixed(degrees, 0), a.name)});
 }
+
+}  // namespace
 
 Done resolveRuns(const Document& before, MergePieces& op, const Context& context) {
   for (auto* run : {&op.a, &op.b}) {
@@ -157,6 +160,8 @@ Done resolveRuns(const Document& before, MergePieces& op, const Context& context
   return {};
 }
 
+namespace {
+
 // The same along the images of both runs, on copies that are each other's neighbours as their pieces are.
 std::vector<MergePieces> onCopies(const Document& document, const MergePieces& op, const Context& context) {
   const Piece &a = *document.find(op.a.front().piece.id), &b = *document.find(op.b.front().piece.id);
@@ -178,31 +183,32 @@ std::vector<MergePieces> onCopies(const Document& document, const MergePieces& o
   return all;
 }
 
-// `likewise`: the merged piece of which this becomes the symmetric copy, if it is to be one.
-Result<Document> mergeIn(const Document& before, const MergePieces& op, const Piece* likewise, std::uint32_t& minted,
-                         const Context& context) {
+}  // namespace
+
+Result<Document> merged(const Document& before, const MergePieces& op, const Piece* likewise, std::uint32_t& minted,
+                        const Context& context, bool led) {
   const PieceId a = op.a.front().piece.id, b = op.b.front().piece.id;
-  auto merged = mergePieces(*before.find(a), namesOf(op.a), *before.find(b), namesOf(op.b));
-  if (!merged) return merged.error();
-  if (likewise) nameLikeImage(merged->piece, merged->edges, *likewise);
-  tellMerged(before, op, merged->move, context);
+  auto made = mergePieces(*before.find(a), namesOf(op.a), *before.find(b), namesOf(op.b));
+  if (!made) return made.error();
+  if (likewise) nameLikeImage(made->piece, made->edges, *likewise);
+  tellMerged(before, op, made->move, context);
   Document after = before;
   const OnSpan gone = [&](const EdgeSpan& span) { return on(op.a)(span) || on(op.b)(span); };
   for (const auto& [id, seam] : before.pattern.seams)
     if (touches(seam, gone)) after.pattern.seams.erase(id);
   keepParts(before, after, gone, minted);
-  updateSeams(after.pattern, merged->edges);
-  merged->piece.form = mergedForm(before, op, merged->move);
-  merged->piece.mirrorOf = PieceId();
+  updateSeams(after.pattern, made->edges);
+  made->piece.form = mergedForm(before, op, made->move, led);
+  made->piece.mirrorOf = PieceId();
   if (const auto pins = before.pins.find(b); pins != before.pins.end()) {
-    for (const Flat pin : pins->second) after.pins[a].push_back(merged->move(pin));
+    for (const Flat pin : pins->second) after.pins[a].push_back(made->move(pin));
     after.pins.erase(b);
   }
   after.looks.pieces.erase(b), after.looks.shifts.erase(b);
   after.pattern.pieces.erase(b);
-  after = withPiece(std::move(after), std::move(merged->piece));
+  after = withPiece(std::move(after), std::move(made->piece));
   after.drape.dirty.erase(b);
-  updateAllowances(after.allowances, merged->edges, after.pattern);
+  updateAllowances(after.allowances, made->edges, after.pattern);
   for (auto& [id, shared] : after.pattern.pieces) {
     if (shared->mirrorOf != a && shared->mirrorOf != b) continue;
     Piece piece = *shared;
@@ -212,8 +218,6 @@ Result<Document> mergeIn(const Document& before, const MergePieces& op, const Pi
   if (Done done = gradeMerged(before, after, op); !done) return done.error();
   return after;
 }
-
-}  // namespace
 
 Done resolve(const Document& before, MergePieces& op, Context& context) {
   if (Done done = resolveRuns(before, op, context); !done) return done;
@@ -231,14 +235,14 @@ Done resolve(const Document& before, MergePieces& op, Context& context) {
 
 Result<Document> perform(const Document& before, const MergePieces& op, Context& context) {
   std::uint32_t minted = 0;
-  auto after = mergeIn(before, op, nullptr, minted, context);
+  auto after = merged(before, op, nullptr, minted, context);
   if (!after || op.copies != Choice::Yes) return after;
   Context silent = context;
   silent.advise = {};
   const PieceId whole = op.a.front().piece.id;
   for (const MergePieces& likewise : onCopies(before, op, context)) {
     const auto own = after->pattern.pieces.at(whole);
-    after = mergeIn(*after, likewise, own.get(), minted, silent);
+    after = merged(*after, likewise, own.get(), minted, silent);
     if (!after) return after;
     const PieceId copy = likewise.a.front().piece.id;
     const bool copied = before.find(copy)->mirrorOf == whole;

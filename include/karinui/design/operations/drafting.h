@@ -193,13 +193,18 @@ struct FaceEdges {
   std::vector<EdgeRef> edges;
   Length width{0.06};
   std::string fabric;
-  Choice eases = Choice::Auto;
+  Choice eases = Choice::Auto, closed = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edges", self.edges, "the edges, as a neckline or the front edges", kNeeded);
     visit("width", self.width, "how deep the facing is", kOptional);
     visit("fabric", self.fabric, "what it is cut from (otherwise what its piece is)", kOptional);
     visit("eases", self.eases, kEasesHelp, kOptional);
+    visit(
+        "closed", self.closed,
+        "the facing goes on over the piece's darts, closed, in one: auto, yes, no (auto: yes, but no in a record that "
+        "does not have it)",
+        kOptional);
   }
   bool operator==(const FaceEdges&) const = default;
 };
