@@ -276,6 +276,7 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
     const SettleReport& last = *worked.after.drape.last;
     if (last.stoppedAfter > 0) drape->stop = static_cast<int>(last.stoppedAfter);
     if (last.finer) drape->finer = true;
+    if (last.insideLast) drape->insideLast = true;
   }
   step.chain = chained(parent ? parent->chain : std::string(), step.operation);
   step.before = parent ? parent->after : hash(before);

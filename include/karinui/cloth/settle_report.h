@@ -46,6 +46,7 @@ struct SettleReport {
   double seamGap = 0;      // widest, metres
   StrainReport strain;
   bool finer = false;            // begun anew without the widest cells, by who settled. Not kept with a document.
+  bool insideLast = false;       // facings and linings were laid in last. Not kept with a document.
   bool throughBody = false;      // given up, as the cloth was sewn up with a limb through it. Not kept with a document.
   std::size_t stoppedAfter = 0;  // of the steps below, where it was stopped; 0: it was not. Not kept with a document.
   // Pieces that were not live and should be: the force of what they are sewn to has changed by so much that they would

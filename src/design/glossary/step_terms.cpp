@@ -153,6 +153,7 @@ TermTable fieldTerms() {
       {"fabric", say("Fabric")},
       {"finish", say("Surface")},
       {"finer", say("Sewn up in finer cells")},
+      {"inside_last", say("Facings and linings laid in last")},
       {"first", say("From the end to the first")},
       {"facings", say("Facings with it")},
       {"closed.facing", say("In one over closed darts")},

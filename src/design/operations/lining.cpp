@@ -128,7 +128,7 @@ Done resolve(const Document& before, LinePieces& op, Context& context) {
 Result<Document> perform(const Document& before, const LinePieces& op, Context& context) {
   auto room = withLayersBeneath(before, idsOf(op.pieces));
   if (!room) return room.error();
-  if (context.advise && std::any_of(op.pieces.begin(), op.pieces.end(), [&](const PieceRef& ref) {
+  if (context.advise && before.drape.last && std::any_of(op.pieces.begin(), op.pieces.end(), [&](const PieceRef& ref) {
         return !before.find(ref.id)->form || before.drape.dirty.contains(ref.id);
       }))
     context.advise({say("Drape the garment before it is lined: the lining then lies close inside it.")});

@@ -16,7 +16,7 @@ struct DrapePieces {
   std::vector<PieceRef> live;
   Vec3 gravity{0, -9.81, 0};
   int stop = 0;
-  bool finer = false;
+  bool finer = false, insideLast = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("live", self.live, "the pieces that move (otherwise every piece that is not frozen)", kOptional);
@@ -27,6 +27,10 @@ struct DrapePieces {
         "yes: without the widest of the cells the cloth is sewn up in; recorded where those had sewn it up with a limb "
         "through it",
         kOptional);
+    visit("inside_last", self.insideLast,
+          "yes: facings and linings are laid in when the rest hangs; recorded where that was so, as the first time a "
+          "garment is draped",
+          kOptional);
   }
   bool operator==(const DrapePieces&) const = default;
 };
