@@ -3,6 +3,7 @@
 
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
+#include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
 
 namespace karinui {
@@ -57,6 +58,22 @@ std::vector<std::vector<const Edge*>> sewnRuns(const Outline& outline, const Sew
   return runs;
 }
 
+// What is said of a place off the paper, with where the middle of the sewn piece has room.
+Message outside(const Piece& piece, const Piece& on, const Laid& laid, const std::string& edge) {
+  FlatBox own;
+  for (const Edge& side : piece.outline.edges)
+    for (const Flat p : laid(side.curve).flattened(1e-3)) own.include(p - laid.at);
+  const FlatBox paper = boxOf(on.outline.flattened(1e-3));
+  const Flat from = paper.low - own.low, to = paper.high - own.high;
+  if (from.u > to.u || from.v > to.v)
+    return say("{0} is larger than {1} there; turn it, or make it smaller.", piece.name, on.name);
+  const auto cm = [](double metres) { return fixed(metres * 100, 0); };
+  return say(
+      "{0} does not lie on {1} there: its edge {2} leaves it. Its middle comes between {3} and {4} cm across, and {5} "
+      "and {6} cm up on the paper of {1}.",
+      piece.name, on.name, edge, cm(from.u), cm(to.u), cm(from.v), cm(to.v));
+}
+
 }  // namespace
 
 Done resolve(const Document& before, SewPatch& op, Context&) {
@@ -88,8 +105,7 @@ Done resolve(const Document& before, SewPatch& op, Context&) {
     for (const Flat p : laid(edge.curve).flattened(1e-4)) {
       const bool open = isOpen(op, edge.name);
       if (!open && (!contains(ring, p) || distanceToRing(ring, p) < kInside))
-        return refused(say("{0} does not lie on {1} there: its edge {2} leaves it; choose another place.", piece.name,
-                           on.name, edge.name));
+        return refused(outside(piece, on, laid, edge.name));
       for (const Outline& hole : on.holes)
         if (!open && contains(hole.flattened(1e-4), p))
           return refused(say("{0} would be sewn over a hole of {1}; choose another place.", piece.name, on.name));
