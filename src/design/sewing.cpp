@@ -174,8 +174,17 @@ std::optional<SeamDoubt> sewnAlready(const Document& document, const SewEdges& s
   return std::nullopt;
 }
 
+// A piece as it comes out of a drawing: flat, and not yet stood anywhere by the body.
+bool unplaced(const Piece& piece) { return !piece.form && piece.pose == Rigid(); }
+bool anyUnplaced(const Document& document, const std::vector<EdgeRef>& side) {
+  return std::any_of(side.begin(), side.end(),
+                     [&](const EdgeRef& ref) { return unplaced(*document.find(ref.piece.id)); });
+}
+
 std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew, const Body* body) {
   constexpr double kClear = 0.02, kNear = 0.1, kThrough = 0.03;  // metres
+  // A back that lies as it was drawn has its left where a front has its right: paper has no sides of a body.
+  if (anyUnplaced(document, sew.a) && anyUnplaced(document, sew.b)) return std::nullopt;
   const std::vector<Vec3> a = stood(document, sew.a), b = stood(document, sew.b);
   const Vec3 here = middleOf(a), there = middleOf(b);
   if (here.x * there.x >= 0 || std::fmin(std::fabs(here.x), std::fabs(there.x)) < kClear) return std::nullopt;
@@ -309,8 +318,7 @@ std::optional<EdgeRef> mirrorImage(const Document& document, const EdgeRef& part
     if (other->outline.find(otherSide(part.edge))) return on(*other, otherSide(part.edge));
   }
   if (const auto symmetry = symmetryOf(piece.outline)) {
-    const bool unplaced = !piece.form && piece.pose == Rigid();
-    if (unplaced || std::fabs(Stand(piece)(symmetry->through).x) < kCentre)
+    if (unplaced(piece) || std::fabs(Stand(piece)(symmetry->through).x) < kCentre)
       if (const auto partner = symmetry->partner[*edge]) offer(on(piece, piece.outline.edges[*partner].name), 1e9);
   }
   for (const auto& [id, other] : document.pattern.pieces)

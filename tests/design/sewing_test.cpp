@@ -157,6 +157,16 @@ TEST_F(Sewing, NonsenseIsDoubted) {
   EXPECT_THAT(doubts(again), ElementsAre(Sewn));
 }
 
+// Front and back of a drawing lie over each other as they were drawn, the right side of both up: the left of the back
+// is where the right of the front is.
+TEST_F(Sewing, PaperHasNoSidesOfABody) {
+  play(
+      "piece name=front outline=\"M -200 0; hem L 200 0; side_left L 180 400; top L -180 400; side_right L -200 0\"\n"
+      "piece name=back outline=\"M -200 0; hem L 200 0; side_right L 180 400; top L -180 400; side_left L -200 0\"\n");
+  EXPECT_THAT(doubts(sew("sew a=front.side_left b=back.side_left")), IsEmpty());
+  EXPECT_THAT(doubts(sew("sew a=front.side_right b=back.side_right")), IsEmpty());
+}
+
 // A godet in the lower part of a seam beside the centre back swings out beyond the centre.
 TEST_F(Sewing, WhatBeginsAtOneCornerIsMeant) {
   play(
