@@ -380,7 +380,10 @@ std::optional<Message> brokenRun(const Document& document, const std::vector<Edg
 }
 
 Message longerSaid(const Document& document, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b) {
+  constexpr double kTold = 5e-5;  // metres: what is less reads 0.0 mm
   const double more = lengthOf(document, a) - lengthOf(document, b);
+  if (std::fabs(more) < kTold)
+    return say("{0} is as long now as {1}, to which it is sewn.", runSaid(document, a), runSaid(document, b));
   return say("{0} is {1} mm longer than {2}, to which it is sewn.", runSaid(document, more > 0 ? a : b),
              fixed(std::fabs(more) * 1e3, 1), runSaid(document, more > 0 ? b : a));
 }

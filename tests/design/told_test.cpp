@@ -30,6 +30,16 @@ TEST(Told, ASeamWhoseThreadsCrossIsNamed) {
               Contains(AllOf(HasSubstr("threads"), HasSubstr("front.side_right"), HasSubstr("back.side_right"))));
 }
 
+// Made as long as the other, it is not told to be longer by nothing.
+TEST(Told, ASideThatFitsAgainIsToldToFit) {
+  const auto told = toldOf(std::string(kTwo) +
+                           "sew a=front.side_left b=back.side_left\nlength edge=front.side_left to=48cm\n"
+                           "length edge=front.side_left to=back.side_left\n");
+  EXPECT_THAT(told, Contains(HasSubstr("back.side_left is 20.0 mm longer than front.side_left")));
+  EXPECT_THAT(told, Contains("front.side_left is as long now as back.side_left, to which it is sewn."));
+  EXPECT_THAT(told, Not(Contains(HasSubstr(" 0.0 mm longer"))));
+}
+
 // What was probably meant is offered, under the name of the seam it takes the place of.
 TEST(Told, ASeamToTheWrongSideComesWithTheRightOne) {
   Workroom room;
