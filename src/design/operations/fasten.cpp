@@ -211,6 +211,28 @@ Message toBeCut(const Piece& piece, const std::string& name) {
       piece.name, name, places);
 }
 
+// What is left of an edge beside a zip at one of its ends.
+std::optional<std::string> besideZip(const Pattern& pattern, const std::vector<EdgeSpan>& zip) {
+  constexpr double kEnd = 1e-6;  // of the edge
+  if (zip.size() != 1 || (zip.front().from > kEnd && zip.front().to < 1 - kEnd)) return std::nullopt;
+  const EdgeSpan& span = zip.front();
+  const bool first = span.to >= 1 - kEnd;  // the rest is where the edge begins
+  const double from = first ? 0 : span.to, to = first ? span.from : 1;
+  const auto rounded = [](double share) { return written(std::round(share * 1e4) / 1e4); };
+  if (to - from < kEnd) return std::nullopt;
+  return pattern.pieces.at(span.piece)->name + "." + span.edge + "@" + rounded(from) + ":" + rounded(to);
+}
+
+// A seam that is in a zip's way, and how only what is below the zip is sewn.
+Message heldBy(const Document& before, const std::string& seam, const Seam& zip) {
+  const auto a = besideZip(before.pattern, zip.a), b = besideZip(before.pattern, zip.b);
+  if (!a || !b) return say("Seam {0} holds these edges where the zip comes; take it out first.", seam);
+  return say(
+      "Seam {0} holds these edges where the zip comes. Take it out, and sew only what is below the zip: unsew "
+      "seam={0}, then sew a={1} b={2}.",
+      seam, *a, *b);
+}
+
 // A zip is sewn between two edges that nothing else is sewn to.
 Done checkZip(const Document& before, Fastening own, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b) {
   own.zipped = 1;
@@ -227,10 +249,7 @@ Done checkZip(const Document& before, Fastening own, const std::vector<EdgeRef>&
     const std::vector<EdgeRef> refs = refsOf(*side);
     for (const SeamId id : seamsOn(before, refs)) {
       const Seam& sewn = *before.find(id);
-      return refused(
-          say("Seam {0} holds these edges where the zip comes; take it out first, or name the part that is "
-              "open: back.centre@0.6:1.",
-              sewn.name.empty() ? text(id) : sewn.name));
+      return refused(heldBy(before, sewn.name.empty() ? text(id) : sewn.name, *seam));
     }
     for (const auto& [name, other] : before.allowances.fastenings) {
       if (other.kind != FasteningKind::Zip) continue;
