@@ -16,10 +16,10 @@ const char* const kCutAcross =
     "cut piece=front line=\"-10mm,150mm; 210mm,150mm\" name=front_other\n"
     "cut piece=back line=\"-10mm,150mm; 210mm,150mm\" name=back_other\n";
 
-struct Cut {
+struct CutAcross {
   Workroom room;
   DocumentFile file = DocumentFile::inMemory();
-  Cut() { EXPECT_TRUE(room.play(file, kCutAcross)); }
+  CutAcross() { EXPECT_TRUE(room.play(file, kCutAcross)); }
   // The name of the upper part of a panel.
   std::string upper(const std::string& panel) const {
     const Piece& piece = *file.document().pieceNamed(panel);
@@ -33,7 +33,7 @@ struct Cut {
 };
 
 TEST(RemovedPieces, LeaveTheSeamOfThoseThatStay) {
-  Cut cut;
+  CutAcross cut;
   ASSERT_TRUE(cut.side());
   const SeamId id = cut.side()->id;
   ASSERT_EQ(cut.side()->a.size(), 2u);
@@ -53,7 +53,7 @@ TEST(RemovedPieces, LeaveTheSeamOfThoseThatStay) {
 }
 
 TEST(RemovedPieces, LeaveOpenWhatWasSewnToThem) {
-  Cut cut;
+  CutAcross cut;
   ASSERT_TRUE(cut.room.play(cut.file, "remove piece=" + cut.upper("front") + "\n"));
   ASSERT_TRUE(cut.side());
   const Pattern& pattern = cut.file.document().pattern;
@@ -63,7 +63,7 @@ TEST(RemovedPieces, LeaveOpenWhatWasSewnToThem) {
 }
 
 TEST(RemovedPieces, TakeTheirOwnSeamsAndThoseOfOldRecords) {
-  Cut cut;
+  CutAcross cut;
   const Document before = cut.file.document();
   cut.room.context.recorded = true;
   const auto old = apply(before, *parseOperation("remove piece=" + cut.upper("front")), cut.room.context);
