@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <mutex>
@@ -78,7 +79,9 @@ py::dict girthsDict(const std::vector<Girths>& girths) {
     py::dict level;
     level["height_m"] = g.height, level["body_m"] = g.body, level["garment_m"] = g.garment;
     level["ease_m"] = g.garment - g.body;
-    levels[py::str(text(g.name))] = level;
+    std::string key = text(g.name);  // "under bust"
+    std::replace(key.begin(), key.end(), ' ', '_');
+    levels[py::str(key)] = level;
   }
   return levels;
 }
