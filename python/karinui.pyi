@@ -69,8 +69,33 @@ class Document:
     ) -> list[dict[str, Any]]: ...
     def measure(self) -> dict[str, float]: ...
     def export(
-        self, path: Path, format: str = "", poses: Sequence[str] = (), progress: Progress = None
+        self,
+        path: Path,
+        format: str = "",
+        poses: Sequence[str] = (),
+        progress: Progress = None,
+        paper: str = "",
+        allowance: Optional[float] = None,
+        overlap: Optional[float] = None,
+        date: str = "",
+        nest: bool = False,
     ) -> int: ...
+    def read_pattern(self, path: Path, size: str = "", progress: Progress = None) -> int: ...
+    def layout(
+        self,
+        width: float = 1.5,
+        fold: bool = False,
+        gap: float = 0.005,
+        nap: bool = False,
+        stripes: float = 0.0,
+        rows: float = 0.0,
+        fabric: str = "",
+        allowance: Optional[float] = None,
+        tries: int = 4000,
+        seed: int = 1,
+        path: Path = "",
+        progress: Progress = None,
+    ) -> list[dict[str, Any]]: ...
     def picture(
         self,
         path: Path,

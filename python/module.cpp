@@ -16,8 +16,13 @@
 #include "karinui/base/version.h"
 #include "karinui/design/drape.h"
 #include "karinui/design/dump.h"
+#include "karinui/design/lay_plan.h"
+#include "karinui/design/make_up.h"
 #include "karinui/design/script.h"
 #include "karinui/design/share.h"
+#include "karinui/design/steps_of.h"
+#include "karinui/exchange/lay_sheet.h"
+#include "karinui/exchange/read_pattern.h"
 #include "karinui/session/animation.h"
 #include "karinui/session/export.h"
 #include "karinui/session/fit_in_motion.h"
@@ -139,6 +144,36 @@ py::array arrayOf(const std::vector<Item>& items) {
   constexpr auto kEach = static_cast<py::ssize_t>(sizeof(Item) / sizeof(Number));
   return py::array_t<Number>({static_cast<py::ssize_t>(items.size()), kEach},
                              reinterpret_cast<const Number*>(items.data()));
+}
+
+// As karinui export is asked, in metres.
+struct PaperAsked {
+  std::string format, paper, date;
+  std::optional<double> overlap, allowance;
+  bool nest = false;
+};
+
+// What was asked of a file belongs to its ending.
+Done fits(const PaperAsked& asked, const std::vector<std::string>& poses, const FileFormat& format,
+          const std::string& file) {
+  const bool sheet = format.out == FileContent::Sheet, pages = format.id.starts_with("pdf");
+  const bool cut = sheet || format.id == "karinui" || format.id.starts_with("dxf");
+  if (!asked.format.empty() && format.id != asked.format)
+    return badInput(say("“{0}” is no format of {1}.", asked.format, file));
+  if (!poses.empty() && format.id != "glb") return badInput(say("Only a GLB goes through poses."));
+  for (const auto& [name, given, holds] : {std::tuple("paper", !asked.paper.empty(), pages),
+                                           {"overlap", asked.overlap.has_value(), pages},
+                                           {"date", !asked.date.empty(), sheet},
+                                           {"nest", asked.nest, sheet},
+                                           {"allowance", asked.allowance.has_value(), cut}})
+    if (given && !holds)
+      return badInput(say("{0} says nothing of “{1}”; leave it out, or choose another ending.", name, file));
+  const auto within = [](std::optional<double> length, double least, double most) {
+    return !length || (*length >= least && *length <= most);
+  };
+  if (!within(asked.overlap, 0.005, 0.03)) return badInput(say("Pages overlap by 5 to 30 mm: 0.005 to 0.03."));
+  if (!within(asked.allowance, 0, 0.1)) return badInput(say("A seam allowance is 0 to 100 mm: 0 to 0.1."));
+  return {};
 }
 
 // As karinui picture is asked.
@@ -317,26 +352,87 @@ class PythonDocument {
       return karinui::measure((*body)->mesh(), (*body)->bvh()).value;
     });
   }
-  std::size_t exportTo(const std::filesystem::path& out, const std::string& format,
-                       const std::vector<std::string>& poses, const py::object& progress) {
+  std::size_t exportTo(const std::filesystem::path& out, const PaperAsked& asked, const std::vector<std::string>& poses,
+                       const py::object& progress) {
     const auto work = [&](DocumentFile& file, Context& context) -> Result<std::size_t> {
       ExportWish wish;
       const auto formats = formatsWriting(out);
       if (formats.empty()) return unwritable(out);
       wish.format = formats.front();
+      const std::string paper = asked.paper == "sheet" ? "pdf" : "pdf-" + asked.paper;
       for (const FileFormat* one : formats)
-        if (one->id == format) wish.format = one;
-      if (!format.empty() && wish.format->id != format)
-        return badInput(say("“{0}” is no format of {1}.", format, out.filename().string()));
-      if (!poses.empty()) {
-        if (wish.format->id != "glb") return badInput(say("Only a GLB goes through poses."));
-        return writeAnimation(out, file.document(), poses, context, prints(file));
-      }
+        if (one->id == asked.format || (!asked.paper.empty() && one->id == paper)) wish.format = one;
+      if (const Done fit = fits(asked, poses, *wish.format, out.filename().string()); !fit) return fit.error();
+      if (!asked.paper.empty() && wish.format->id != paper)
+        return badInput(
+            say("There is no paper “{0}”; there are: {1}.", asked.paper, "sheet, a4, letter, a3, a0, 36in"));
+      if (!poses.empty()) return writeAnimation(out, file.document(), poses, context, prints(file));
       wish.sheet.title = file.path().stem().string();
+      wish.sheet.language = spokenHere();
+      wish.sheet.date = asked.date, wish.sheet.nest = asked.nest, wish.sheet.allowance = asked.allowance;
+      if (asked.overlap) wish.sheet.overlap = *asked.overlap;
       const auto garment = seen(file, context);
       return garment ? exportedTo(out, **garment, file.steps(), wish) : garment.error();
     };
     return alone(work, progress);
+  }
+  // The steps that make the pattern of a file; none, where one of them cannot be done.
+  std::size_t readPattern(const std::filesystem::path& path, const std::string& size, const py::object& progress) {
+    const auto work = [&](DocumentFile& file, Context& context) -> Result<std::size_t> {
+      notes_.clear();
+      auto drawn = readPatternSize(path, size);
+      if (!drawn) return drawn.error();
+      for (const Message& note : drawn->notes) notes_.push_back(text(note));
+      if (file.document().body.chosen()) {
+        const auto body = bodyOf(file.document(), context);
+        if (!body) return body.error();
+        drawn->pattern = raisedTo(**body, std::move(drawn->pattern)).pattern;
+      }
+      std::size_t count = 0;
+      for (Operation& operation :
+           stepsOf(drawn->pattern, file.document(), drawn->grading, drawn->cutting, &file.blobs())) {
+        if (const auto step = file.perform(std::move(operation), context); !step) {
+          for (; count > 0; --count)
+            if (const auto back = file.undo(context); !back) return back.error();
+          return step.error();
+        }
+        ++count;
+      }
+      return count;
+    };
+    return alone(work, progress);
+  }
+  // How the pieces lie on the cloth, a dictionary for each fabric; drawn into a file where one is named.
+  py::list layout(const LaySettings& settings, const std::filesystem::path& out, const py::object& progress) {
+    const LayPlan plan = alone(
+        [&](DocumentFile& file, Context& context) -> Result<LayPlan> {
+          notes_.clear();
+          auto laid = layPlan(file.document(), settings, context);
+          if (!laid) return laid.error();
+          for (const Message& note : laid->notes) notes_.push_back(text(note));
+          if (out.empty()) return laid;
+          std::string ending = out.extension().string();
+          for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+          if (std::none_of(std::begin(kLayEndings), std::end(kLayEndings),
+                           [&](std::string_view one) { return "." + std::string(one) == ending; }))
+            return badInput(say("“{0}” has none of the endings that are written: {1}.", out.filename().string(),
+                                ".pdf, .svg, .dxf, .plt"));
+          LayPaper paper;
+          paper.title = file.path().stem().string(), paper.language = spokenHere();
+          const auto bytes = writeLay(*laid, ending.substr(1), paper);
+          if (!bytes) return bytes.error();
+          if (const Done done = writeFile(out, *bytes); !done) return done.error();
+          return laid;
+        },
+        progress);
+    py::list all;
+    for (const FabricLay& lay : plan.fabrics) {
+      py::dict d;
+      d["fabric"] = lay.fabric, d["length_m"] = lay.length, d["width_m"] = plan.settings.width;
+      d["area_m2"] = lay.area, d["use"] = lay.use, d["pieces"] = lay.pieces.size();
+      all.append(d);
+    }
+    return all;
   }
   std::pair<int, int> picture(const std::filesystem::path& out, const PictureWish& wish) {
     return alone([&](DocumentFile& file, Context& context) -> Result<std::pair<int, int>> {
@@ -612,9 +708,36 @@ PYBIND11_MODULE(karinui, m) {
            "the garment made to each figure (sizes, dicts of measures in metres, or a table's path), and whom it does "
            "not fit, where and by how much")
       .def("measure", &D::measure, "the body as a tape measures it: metres, and radians")
-      .def("export", &D::exportTo, py::arg("path"), py::arg("format") = "",
-           py::arg("poses") = std::vector<std::string>(), py::arg("progress") = py::none(),
-           "writes a file; its ending says what; how many bytes. `poses`: a GLB is an animation through them")
+      .def(
+          "export",
+          [](D& d, const std::filesystem::path& path, const std::string& format, const std::vector<std::string>& poses,
+             const py::object& progress, const std::string& paper, std::optional<double> allowance,
+             std::optional<double> overlap, const std::string& date, bool nest) {
+            return d.exportTo(path, {format, paper, date, overlap, allowance, nest}, poses, progress);
+          },
+          py::arg("path"), py::arg("format") = "", py::arg("poses") = std::vector<std::string>(),
+          py::arg("progress") = py::none(), py::arg("paper") = "", py::arg("allowance") = py::none(),
+          py::arg("overlap") = py::none(), py::arg("date") = "", py::arg("nest") = false,
+          "writes a file; its ending says what; how many bytes. `format`: of .json and .dxf which, as karinui export. "
+          "`poses`: a GLB is an animation through them. Of paper: `paper` (a4, letter, a3, a0, 36in, or sheet for one; "
+          "a "
+          "PDF is on a4 where it is not said), `allowance` and `overlap` in metres, `date`, `nest`")
+      .def("read_pattern", &D::readPattern, py::arg("path"), py::arg("size") = "", py::arg("progress") = py::none(),
+           "does the steps that make the pattern of a file (.dxf, .svg, .json), of several sizes with `size` standing; "
+           "how many. What was found in the file is in `notes`")
+      .def(
+          "layout",
+          [](D& d, double width, bool fold, double gap, bool nap, double stripes, double rows,
+             const std::string& fabric, std::optional<double> allowance, int tries, std::uint64_t seed,
+             const std::filesystem::path& path, const py::object& progress) {
+            return d.layout({width, fold, gap, nap, stripes, rows, allowance, fabric, tries, seed}, path, progress);
+          },
+          py::arg("width") = 1.5, py::arg("fold") = false, py::arg("gap") = 0.005, py::arg("nap") = false,
+          py::arg("stripes") = 0.0, py::arg("rows") = 0.0, py::arg("fabric") = "", py::arg("allowance") = py::none(),
+          py::arg("tries") = LaySettings().tries, py::arg("seed") = 1, py::arg("path") = "",
+          py::arg("progress") = py::none(),
+          "how the pieces lie on the cloth, as karinui layout, in metres: for each fabric its length and the share of "
+          "it that is used; `path`: the plan is drawn there (.pdf, .svg, .dxf, .plt)")
       .def(
           "picture",
           [](D& d, const std::filesystem::path& path, const std::string& view, const std::string& size,

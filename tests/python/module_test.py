@@ -1,7 +1,9 @@
 """The module for Python. Exit status 77: numpy is missing, and so nothing of arrays was tested."""
 import ast
 import gc
+import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import threading
@@ -85,6 +87,7 @@ class Documents(unittest.TestCase):
             lambda: coat.perform(PANEL), lambda: coat.play("set ease=1cm"), lambda: coat.amend(1, PANEL), coat.undo,
             coat.redo, coat.settle, coat.check, coat.fit, lambda: coat.motion(["T"]),
             lambda: coat.fit_over(["jis9ar"]), coat.measure, lambda: coat.export(self.folder / "x.svg"),
+            coat.layout, lambda: coat.read_pattern(self.folder / "x.svg"),
             lambda: coat.picture(self.folder / "x.png"), coat.strain, coat.pressure,
             lambda: coat.share(self.folder / "x.karinui"), coat.pieces, coat.body, coat.log, lambda: coat.path,
             lambda: coat.hash, lambda: coat.drape_hash, lambda: coat.operations, lambda: coat.remarks,
@@ -96,6 +99,78 @@ class Documents(unittest.TestCase):
             self.assertEqual(raised.exception.kind, "refused")
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["coat.karinui"])
         self.assertEqual(karinui.Document.open(path, reading=True).operations, 1)
+
+    def test_paper_is_asked_for_as_by_command(self):
+        with karinui.Document.create(self.folder / "coat.karinui") as coat:
+            coat.perform(PANEL)
+
+            def written(name, **asked):
+                coat.export(self.folder / name, **asked)
+                return (self.folder / name).read_bytes()
+
+            pages = {paper: len(written(f"{paper}.pdf", paper=paper)) for paper in ("sheet", "a4", "a0")}
+            self.assertEqual(len(set(pages.values())), 3, pages)
+            self.assertEqual(written("x.pdf"), (self.folder / "a4.pdf").read_bytes())
+            self.assertNotEqual(written("x.pdf", overlap=0.02), (self.folder / "a4.pdf").read_bytes())
+            plain, wide = written("x.svg", allowance=0), written("y.svg", allowance=0.025)
+            self.assertIn(b'data-allowance="25"', wide)
+            self.assertNotIn(b'data-allowance="25"', plain)
+            self.assertIn(b"May 1st", written("x.svg", date="May 1st"))
+            self.assertNotEqual(written("a.dxf"), written("b.dxf", format="dxf-astm"))
+            for asked, words in (
+                ({"paper": "a5"}, "no paper “a5”"), ({"overlap": 10}, "0.005 to 0.03"),
+                ({"allowance": 10}, "0 to 0.1"), ({"format": "dxf-astm"}, "no format of"),
+            ):
+                with self.assertRaises(karinui.Error) as raised:
+                    coat.export(self.folder / "z.pdf", **asked)
+                self.assertIn(words, str(raised.exception))
+            for asked in ({"paper": "a4"}, {"overlap": 0.01}, {"date": "today"}, {"nest": True}):
+                with self.assertRaises(karinui.Error) as raised:
+                    coat.export(self.folder / "z.json", **asked)
+                self.assertIn(f"{next(iter(asked))} says nothing of “z.json”", str(raised.exception))
+            self.assertFalse((self.folder / "z.pdf").exists() or (self.folder / "z.json").exists())
+
+    def test_paper_speaks_the_language_spoken_here(self):
+        script = f"import karinui; d = karinui.Document.create(); d.perform({PANEL!r}); d.export({str(self.folder / 'x.svg')!r})"
+        words = {}
+        for language in ("C.UTF-8", "ja_JP.UTF-8"):
+            speaking = {**os.environ, "LC_ALL": language, "PYTHONPATH": str(pathlib.Path(karinui.__file__).parent)}
+            subprocess.run([sys.executable, "-c", script], env=speaking, check=True)
+            words[language] = (self.folder / "x.svg").read_text(encoding="utf-8")
+        japanese = [any("぀" <= c <= "鿿" for c in text) for text in words.values()]
+        self.assertEqual(japanese, [False, True])
+
+    def test_reads_patterns_and_lays_them(self):
+        with karinui.Document.create() as coat:
+            coat.play(PANEL + " fabric=denim\nduplicate piece=front name=back by=0,0,-40cm\n")
+            coat.export(self.folder / "coat.svg")
+            coat.export(self.folder / "coat.dxf")
+            lay = coat.layout(width=1.4, tries=50)
+            self.assertEqual([(one["fabric"], one["width_m"], one["pieces"]) for one in lay], [("denim", 1.4, 2)])
+            self.assertTrue(0.4 < lay[0]["length_m"] < 0.7 and 0.4 < lay[0]["use"] <= 1, lay)
+            self.assertEqual(coat.layout(fabric="denim", width=1.4, tries=50, path=self.folder / "lay.pdf"), lay)
+            self.assertEqual((self.folder / "lay.pdf").read_bytes()[:5], b"%PDF-")
+            for call, words in (
+                (lambda: coat.layout(width=0.2), "Take wider cloth"),
+                (lambda: coat.layout(path=self.folder / "lay.png"), ".pdf, .svg, .dxf, .plt"),
+                (lambda: coat.read_pattern(self.folder / "none.dxf"), "There is no file"),
+                (lambda: coat.read_pattern(self.folder / "lay.pdf"), ".dxf"),
+                (lambda: coat.read_pattern(self.folder / "coat.svg", size="40"), "one size only"),
+            ):
+                before = coat.hash
+                with self.assertRaises(karinui.Error) as raised:
+                    call()
+                self.assertIn(words, str(raised.exception))
+                self.assertEqual(coat.hash, before)
+        for file in ("coat.svg", "coat.dxf"):
+            with karinui.Document.create() as read:
+                self.assertEqual(read.read_pattern(self.folder / file), read.operations)
+                self.assertEqual([round(p.area, 4) for p in read.pieces()], [0.2, 0.2])
+
+    def test_levels_are_called_as_in_other_answers(self):
+        with karinui.Document.create(threads=1) as shirt:
+            shirt.play("body size=eu38\nset spacing=50mm\nblock kind=bodice\n")
+            self.assertIn("under_bust", shirt.fit()["girths"])
 
     def test_pictures(self):
         with karinui.Document.create() as coat:
