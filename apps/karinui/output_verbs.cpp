@@ -71,7 +71,9 @@ void addOutputVerbs(Program& program) {
                    help("paper: seam allowance in mm in place of the document's own, up to 100, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--poses", out->poses, help("GLB: an animation of the garment through these poses, as T,step,A"));
-  verb->add_option("--format", out->format, help("JSON: karinui (exact) or garmentcode"))
+  verb->add_option(
+          "--format", out->format,
+          help("Of JSON: karinui (exact) or garmentcode; of DXF: dxf-aama or dxf-astm. Otherwise the first named"))
       ->transform(oneOf(patternFormats()));
 
   auto wish = std::make_shared<PictureOptionsAsked>();

@@ -262,7 +262,8 @@ void addReportVerb(Program& program) {
       ->transform(oneOf({"en", "ja"}));
   verb->add_option("--poses", options->poses, help("Fit in motion: at rest in these poses too, as T,forward,seated"))
       ->delimiter(',');
-  verb->add_flag("!--no-pictures", options->pictures, help("Only the figures"));
+  verb->add_flag_callback(
+      "--no-pictures", [options] { options->pictures = false; }, help("Only the figures"));
 }
 
 }  // namespace karinui::app
