@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace karinui::test {
 namespace {
@@ -134,6 +135,41 @@ TEST(Fabrics, HangAsPublished) {
   Fabric changed = *preset("denim");
   changed.shear *= 1.01;
   EXPECT_FALSE(drapeFigure(changed));  // nobody laid that one on
+}
+
+// The table of the guide, in both languages, has the numbers of the shop, and the drape that its board tells.
+TEST(Fabrics, AreInTheGuideAsTheyAre) {
+  const auto near = [](const std::string& words, double value, double unit) {  // to the last digit that is written
+    const double told = std::strtod(words.c_str(), nullptr);
+    const std::size_t point = words.find('.'), end = words.find_first_not_of(" 0123456789.");
+    const std::size_t digits = point == std::string::npos ? 0 : words.substr(0, end).find_last_of("0123456789") - point;
+    EXPECT_NEAR(told, value / unit, 0.51 * std::pow(10.0, -static_cast<double>(digits))) << words;
+  };
+  for (const std::string page : {"fabrics.md", "fabrics.ja.md"}) {
+    std::ifstream file(std::string(KARINUI_SOURCE_DIR) + "/docs/user/" + page);
+    std::size_t rows = 0;
+    for (std::string line; std::getline(file, line);) {
+      std::vector<std::string> cells;
+      std::istringstream row(line);
+      for (std::string cell; std::getline(row, cell, '|');) cells.push_back(cell);
+      const Fabric* fabric = nullptr;
+      for (const Fabric& one : presets())
+        if (cells.size() > 8 && cells[1].starts_with(" " + one.name)) fabric = &one;
+      if (!fabric) continue;
+      SCOPED_TRACE(page + ": " + fabric->name);
+      ++rows;
+      const auto second = [&](std::size_t k) { return cells[k].substr(cells[k].find('/') + 1); };
+      near(cells[2], fabric->weight, 1e-3);
+      near(cells[3], fabric->bendWarp, 1e-6), near(second(3), fabric->bendWeft, 1e-6);
+      near(cells[4], fabric->warpCurve().strainAt(490.3), 0.01),
+          near(second(4), fabric->weftCurve().strainAt(490.3), 0.01);
+      near(cells[5], fabric->warpCurve().linearity(490.3), 1), near(second(5), fabric->weftCurve().linearity(490.3), 1);
+      EXPECT_EQ(std::strtod(cells[6].c_str() + cells[6].find_first_of("0123456789"), nullptr),
+                drapeFigure(*fabric).value().coefficient);
+      EXPECT_EQ(std::stoi(cells[8]), drapeFigure(*fabric).value().folds);
+    }
+    EXPECT_EQ(rows, 13u) << page;
+  }
 }
 
 TEST(ThreadCurve, IsOneLawInEnergyForceAndSlope) {
