@@ -12,16 +12,20 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-// Lines that are set in by four blanks are examples; a page has several, with prose between.
+// Lines that are set in by four blanks, or stand between lines of ```, are examples; a page has several, with prose
+// between.
 std::vector<Lines> examplesOf(const std::string& page) {
   std::ifstream file(std::string(KARINUI_SOURCE_DIR) + "/docs/" + page);
   EXPECT_TRUE(file) << page;
   std::vector<Lines> all;
-  bool within = false;
+  bool within = false, fenced = false;
   for (std::string line; std::getline(file, line);) {
-    const bool set = line.starts_with("    ") && line.find_first_not_of(' ') != std::string::npos;
+    const bool fence = line.starts_with("```");
+    if (fence) fenced = !fenced;
+    const bool in = line.starts_with("    ") && line.find_first_not_of(' ') != std::string::npos;
+    const bool set = !fence && (fenced || in);
     if (set && !within) all.emplace_back();
-    if (set) all.back().push_back(line.substr(4));
+    if (set) all.back().push_back(line.substr(in ? 4 : 0));
     within = set;
   }
   return all;
@@ -149,9 +153,10 @@ Lines plain(Lines lines) {
 }
 
 TEST(GuideExamples, AreTheSameInJapanese) {
-  for (const std::string page : {"first_garment", "operations", "blocks", "body", "poses", "batch", "documents",
-                                 "python", "blender", "room", "touch"}) {
-    const auto english = examplesOf("user/" + page + ".md"), japanese = examplesOf("user/" + page + ".ja.md");
+  for (const std::string page :
+       {"../README", "user/first_garment", "user/operations", "user/blocks", "user/body", "user/poses", "user/batch",
+        "user/documents", "user/python", "user/blender", "user/room", "user/touch"}) {
+    const auto english = examplesOf(page + ".md"), japanese = examplesOf(page + ".ja.md");
     ASSERT_EQ(japanese.size(), english.size()) << page;
     for (std::size_t k = 0; k < english.size(); ++k) EXPECT_EQ(plain(japanese[k]), plain(english[k])) << page;
   }
