@@ -167,9 +167,9 @@ int runAmend(Program& program, const AmendOptions& options) {
     if (const Done amended = opened.amend(options.step, *std::move(operation)); !amended)
       return program.console.refuse(amended.error());
     const Document& document = opened.document();
-    program.console.answer(
-        {{"operations", document.operations}, {"settled", opened.settled()}, {"hash", hash(document)}},
-        withReadableLengths(opened.file().log()));
+    Json answer = {{"operations", document.operations}, {"hash", hash(document)}};
+    answer.update(restJson(document, opened.settled()));
+    program.console.answer(answer, withReadableLengths(opened.file().log()));
     return opened.settled() ? kDone : kNotSettled;
   });
 }

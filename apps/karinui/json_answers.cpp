@@ -56,6 +56,12 @@ Json checkJson(const Examination& check, const Document& document, const Console
   return object;
 }
 
+Json restJson(const Document& document, bool settled) {
+  Json object = {{"at_rest", document.atRest()}};
+  if (document.drape.last) object["settled"] = settled;
+  return object;
+}
+
 Json settleJson(const SettleReport& report, const Examination& check, const Console& console) {
   Json object = {{"settled", report.settled},    {"why", console.said(report.why)}, {"residual", report.residual},
                  {"steps", report.steps},        {"solves", report.solves},         {"cpu_s", report.cpuSeconds},

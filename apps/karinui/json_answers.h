@@ -15,6 +15,9 @@ Json checkJson(const Examination& check);
 // The same after what the last drape came to, `settled` and `why`, which a document that was never draped has not, and
 // `at_rest`: whether all of it is, and nothing changed since.
 Json checkJson(const Examination& check, const Document& document, const Console& console);
+// Of steps that were done: `settled`, whether every drape among them came to rest, which a document that was never
+// draped has not, and `at_rest` as above.
+Json restJson(const Document& document, bool settled);
 Json settleJson(const SettleReport& report, const Examination& check, const Console& console);
 Json continuationJson(const SettleReport& report);  // of a report that has one
 Json stepJson(const Step& step, const Document& after);

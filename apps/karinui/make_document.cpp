@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "json_answers.h"
+
 namespace karinui::app {
 
 namespace fs = std::filesystem;
@@ -45,9 +47,9 @@ int makeDocument(Program& program, const std::string& wanted, bool overwrite,
                 {"operations", document.operations},
                 {"pieces", document.pattern.pieces.size()},
                 {"seams", document.pattern.seams.size()},
-                {"settled", opened.settled()},
                 {"hash", hash(document)},
                 {"drape_hash", drapeHash(document)}};
+      answer.update(restJson(document, opened.settled()));
       words = program.console.said(say("{0}: {1} {1|operation|operations}, {2} {2|piece|pieces}, {3} {3|seam|seams}",
                                        wanted, written(static_cast<long long>(document.operations)),
                                        document.pattern.pieces.size(), document.pattern.seams.size()));

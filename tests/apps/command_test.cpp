@@ -10,6 +10,7 @@ namespace karinui::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 namespace fs = std::filesystem;
 
@@ -247,6 +248,13 @@ TEST_F(Command, AnswersInSentencesWithUnits) {
   for (const char* part : {"Widest gap in a seam", " mm\n", "Stretch, at most", " %\n"})
     EXPECT_NE(check.out.find(part), std::string::npos) << part << "\n" << check.out;
   EXPECT_EQ(check.out.find('_'), std::string::npos) << "no raw keys";
+}
+
+TEST_F(Command, TellsInItsHelpWhichFormatsShareAnEnding) {
+  EXPECT_THAT(karinui("export --help").out, HasSubstr("dxf-aama or dxf-astm"));
+  const Said report = karinui("report --help");
+  EXPECT_THAT(report.out, HasSubstr("--no-pictures "));
+  EXPECT_THAT(report.out, Not(HasSubstr("{false}")));
 }
 
 TEST_F(Command, MakesAndMeasuresABody) {
@@ -514,6 +522,29 @@ TEST_F(Command, SaysWhatAnAmendedDrapeCameTo) {
   EXPECT_EQ(said.exit, 4) << said.err;
   EXPECT_EQ(said.json()["settled"], false);
   EXPECT_THAT(said.err, HasSubstr("The cloth did not come to rest"));
+}
+
+// What was never draped is not told to have come to rest.
+TEST_F(Command, SaysOfRestOnlyWhatADrapeCameTo) {
+  const std::string flap =
+      "body size=eu38\nset spacing=50mm\npiece name=flap outline=\"M 0 0; low L 400 0; side L 400 500; top L 0 500; "
+      "left "
+      "L 0 0\"\npin piece=flap at=\"0,50cm; 40cm,50cm\"\n";
+  std::ofstream(folder / "flap.ops") << flap;
+  std::ofstream(folder / "draped.ops") << flap << "drape\n";
+  const auto played = karinui("play " + (folder / "flap.ops") + " -o " + (folder / "flap.karinui") + " --json").json();
+  EXPECT_FALSE(played.contains("settled")) << played;
+  EXPECT_EQ(played["at_rest"], false);
+  ASSERT_EQ(karinui("export " + (folder / "flap.karinui") + " -o " + (folder / "flap.svg")).exit, 0);
+  const auto read = karinui("import " + (folder / "flap.svg") + " -o " + (folder / "read.karinui") + " --json").json();
+  EXPECT_FALSE(read.contains("settled")) << read;
+  EXPECT_EQ(read["pieces"], 1);
+  const auto amended = karinui("amend " + (folder / "flap.karinui") + " 2 'set spacing=40mm' --json").json();
+  EXPECT_FALSE(amended.contains("settled")) << amended;
+  const auto draped =
+      karinui("play " + (folder / "draped.ops") + " -o " + (folder / "draped.karinui") + " --json").json();
+  EXPECT_EQ(draped["settled"], true);
+  EXPECT_EQ(draped["at_rest"], true);
 }
 
 TEST_F(Command, SaysHowMuchLongerOneSideOfASeamIs) {
