@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "design/quick_folder.h"
 #include "design/workroom.h"
 
 namespace karinui {
@@ -142,6 +143,26 @@ TEST_P(GuideExamples, AreDoneAsTheyAreWritten) {
 
 INSTANTIATE_TEST_SUITE_P(Pages, GuideExamples,
                          testing::Values("user/operations.md", "user/blocks.md", "format/operations.md"));
+
+// What the page of the file says of its first bytes (SQLite's: the application at 68, the form at 60).
+TEST(GuideExamples, AFileBeginsAsItsPageSays) {
+  const auto folder = quickFolder();
+  ASSERT_TRUE(DocumentFile::create(folder / "a.karinui"));
+  std::ifstream file(folder / "a.karinui", std::ios::binary);
+  std::string bytes(100, '\0');
+  ASSERT_TRUE(file.read(bytes.data(), 100));
+  std::filesystem::remove_all(folder);
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t k = at; k < at + 4; ++k) value = value << 8 | static_cast<unsigned char>(bytes[k]);
+    return std::to_string(value);
+  };
+  std::ifstream page(std::string(KARINUI_SOURCE_DIR) + "/docs/format/karinui-file.md");
+  const std::string told{std::istreambuf_iterator<char>(page), {}};
+  EXPECT_THAT(told,
+              testing::HasSubstr("`PRAGMA application_id` is " + number(68) + " (`" + bytes.substr(68, 4) + "`)"));
+  EXPECT_THAT(told, testing::HasSubstr("the form of the file, now **" + number(60) + "**"));
+}
 
 // Without what is said beside a command, which each page says in its language.
 Lines plain(Lines lines) {
