@@ -146,6 +146,21 @@ const std::vector<BodyLine>& Body::lines() const {
   return *lines_;
 }
 
+namespace {
+
+// Whether a body ends before this limb, as a dress form does.
+bool lacks(const Body& body, BodyPoint::Part part) {
+  using enum BodyPoint::Part;
+  const char* end = part == LeftArm    ? "wrist_left"
+                    : part == RightArm ? "wrist_right"
+                    : part == LeftLeg  ? "ankle_left"
+                    : part == RightLeg ? "ankle_right"
+                                       : nullptr;
+  return end && !body.landmarks().contains(end);
+}
+
+}  // namespace
+
 Result<SurfacePoint> Body::find(const BodyPoint& point) const {
   if (parts_.own) return parts_.own->find(point);
   if (point.part == Part::Line) {
@@ -174,6 +189,14 @@ Result<SurfacePoint> Body::find(const BodyPoint& point) const {
   if (const auto place =
           underArmpit(*this, *parts_.chart, point, ray, skinOn(bvh_, *parts_.chart, point.part, ray, point.around)))
     return *place;
+  if (lacks(*this, point.part))
+    return refused(point.part == Part::LeftArm || point.part == Part::RightArm
+                       ? say("This body has no arms, as a dress form has none, and so no place {0}; stand what comes "
+                             "there on the whole figure (body form=no).",
+                             text(point))
+                       : say("This body has no legs, as a dress form has none, and so no place {0}; stand what comes "
+                             "there on the whole figure (body form=no).",
+                             text(point)));
   return refused(say("There is no skin at {0} on this body: there it runs into another part.", text(point)));
 }
 

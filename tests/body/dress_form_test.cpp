@@ -106,6 +106,9 @@ TEST(DressForm, HasNoPlacesOnArmsAndLegs) {
     ASSERT_FALSE(none) << place;
     EXPECT_FALSE(text(none.error().what).empty());
   }
+  const auto why = [form = form](const char* place) { return text(form->find(*parseBodyPoint(place)).error().what); };
+  EXPECT_TRUE(why("left_arm:elbow@0").starts_with("This body has no arms")) << why("left_arm:elbow@0");
+  EXPECT_TRUE(why("right_leg:knee@0.25").starts_with("This body has no legs")) << why("right_leg:knee@0.25");
 }
 
 }  // namespace
