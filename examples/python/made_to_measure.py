@@ -24,7 +24,7 @@ def body_of(person: dict[str, str]) -> str:
         measure, _, unit = column.rpartition("_")
         if unit in UNITS and value:
             measures.append(f"{measure}={value}{UNITS[unit]}")
-    sex = "male" if person.get("sex", "f").lower().startswith("m") else "female"
+    sex = {"m": "male", "c": "child"}.get(person.get("sex", "").lower()[:1], "female")
     return f'body sex={sex} set="{"; ".join(measures)}"'
 
 

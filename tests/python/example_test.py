@@ -10,6 +10,7 @@ import tempfile
 MADE = {  # what is left in the folder
     "first_garment": {"*.pdf": 1, "*.svg": 1, "*.glb": 1},
     "made_to_measure": {"*.pdf": 3, "fitting.csv": 1},
+    "cloth_by_size": {"cloth.csv": 1, "lay_*.pdf": 5},
     "parameter_study": {"*.png": 1},
     "drape_dataset": {"*.npz": 6, "manifest.json": 1},
 }
