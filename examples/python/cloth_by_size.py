@@ -24,7 +24,9 @@ for size, (waist, hip) in FIGURES.items():
         skirt.perform('band name=waistband of="skirt_front.waist* skirt_back.waist*" depth=4cm fabric=denim')
         row = {"size": size, "waist_cm": waist, "hip_cm": hip}
         for width in WIDTHS:
-            row[f"cloth_{100 * width:.0f}_m"] = round(sum(lay["length_m"] for lay in skirt.layout(width=width)), 2)
+            [lay] = skirt.layout(width=width)  # one for each fabric
+            row[f"on_{100 * width:.0f}_cm"] = f"{lay['length_m']:.2f} m"
+            row[f"used_{100 * width:.0f}"] = f"{100 * lay['use']:.0f} %"
         skirt.layout(width=1.4, path=out / f"lay_{size}.pdf")
         rows.append(row)
 with (out / "cloth.csv").open("w", newline="", encoding="utf-8") as table:
