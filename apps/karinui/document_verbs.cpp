@@ -120,7 +120,29 @@ Done giveThePhoto(OpenDocument& opened, const std::string& photo, std::vector<Op
 
 std::string echoed(const Operation& operation) { return shortened(withReadableLengths(text(operation))); }
 
+// "piece=front": a field, which stands behind its operation.
+bool isField(const std::string& word) {
+  const std::size_t end = word.find_first_not_of("abcdefghijklmnopqrstuvwxyz_");
+  return end != std::string::npos && end > 0 && word[end] == '=';
+}
+
+// Where the quotation marks were forgotten, the shell has made a word of each field.
+Done inQuotationMarks(const std::vector<std::string>& words) {
+  const auto field = std::find_if(words.begin(), words.end(), isField);
+  if (field == words.end()) return {};
+  std::string whole = field == words.begin() ? "set" : *(field - 1);
+  for (auto one = field; one != words.end() && isField(*one); ++one) {
+    const std::size_t value = one->find('=') + 1;
+    const bool several = one->find(' ', value) != std::string::npos;
+    whole += " " + one->substr(0, value) + (several ? "\"" : "") + one->substr(value) + (several ? "\"" : "");
+  }
+  return badInput(
+      say("“{0}” stands by itself: an operation and its fields are one word to the shell, in quotation marks: '{1}'.",
+          *field, whole));
+}
+
 int runDo(Program& program, const DoOptions& options) {
+  if (const Done quoted = inQuotationMarks(options.operations); !quoted) return program.console.refuse(quoted.error());
   std::vector<Operation> operations;
   for (const std::string& line : options.operations) {
     Result<Operation> operation = parseOperation(line);

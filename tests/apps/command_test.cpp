@@ -524,6 +524,17 @@ TEST_F(Command, SaysWhatAnAmendedDrapeCameTo) {
   EXPECT_THAT(said.err, HasSubstr("The cloth did not come to rest"));
 }
 
+TEST_F(Command, SaysWhereQuotationMarksWereForgotten) {
+  ASSERT_EQ(play("piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; top L 0 500; centre L 0 0\"\n").exit,
+            0);
+  const Said cut = karinui("do " + document() + " cut piece=front line='0,-1cm 0,20cm' name=slit 'set ease=1cm'");
+  EXPECT_NE(cut.exit, 0);
+  EXPECT_THAT(cut.err, HasSubstr("“piece=front” stands by itself"));
+  EXPECT_THAT(cut.err, HasSubstr("'cut piece=front line=\"0,-1cm 0,20cm\" name=slit'"));
+  EXPECT_THAT(karinui("do " + document() + " ease=1cm").err, HasSubstr("'set ease=1cm'"));
+  EXPECT_EQ(karinui("do " + document() + " 'cut piece=front line=\"10cm,-1cm 10cm,20cm\"' 'set ease=1cm'").exit, 0);
+}
+
 // What was never draped is not told to have come to rest.
 TEST_F(Command, SaysOfRestOnlyWhatADrapeCameTo) {
   const std::string flap =
