@@ -1,6 +1,8 @@
 #pragma once
 // What each measure is called elsewhere.
 #include <array>
+#include <cctype>
+#include <string>
 #include <string_view>
 
 namespace karinui {
@@ -62,6 +64,16 @@ inline std::string_view measureNameIn(MeasureSystem system, std::string_view key
   for (const MeasureNames& row : kMeasureNames)
     if (row.key == key) return row.*system;
   return {};
+}
+
+// A measure with a blank before its unit, "88 cm", as a person writes it: without.
+inline std::string withUnitClose(std::string_view measure) {
+  const std::size_t unit = measure.find_last_of(' '), number = measure.find_last_not_of(' ', unit);
+  if (unit == std::string_view::npos || number == std::string_view::npos || unit + 1 == measure.size() ||
+      std::isdigit(static_cast<unsigned char>(measure[number])) == 0 ||
+      std::isalpha(static_cast<unsigned char>(measure[unit + 1])) == 0)
+    return std::string(measure);
+  return std::string(measure.substr(0, number + 1)) + std::string(measure.substr(unit + 1));
 }
 
 }  // namespace karinui

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "exchange/measure_names.h"
 #include "karinui/base/number.h"
 #include "karinui/design/script.h"
 #include "names.h"
@@ -135,13 +136,14 @@ std::optional<std::string> withPoint(std::string cell) {
 }
 
 Result<double> measureOf(const Column& column, const std::string& cell, bool decimalCommas) {
-  const auto pointed = withPoint(cell);
+  const std::string close = withUnitClose(cell);
+  const auto pointed = withPoint(close);
   if (pointed && !decimalCommas)
     return badInput(
         say("“{0}” has a decimal comma, and commas separate the cells here; write {1}, or separate the "
             "cells with semicolons.",
             cleanText(cell), cleanText(*pointed)));
-  const std::string& text = pointed ? *pointed : cell;
+  const std::string& text = pointed ? *pointed : close;
   if (column.unit)
     if (const auto number = parseNumber(text)) return *number * *column.unit;
   const bool angle = isAngle(column.key);

@@ -197,7 +197,8 @@ Result<MeasuresRead> readMeasuresText(std::string_view bytes) {
     const std::size_t is = text.find('=');
     if (is == std::string_view::npos)
       return at(say("“{0}” is not a measurement; write it like bust_girth=88cm.", shown(text)));
-    const std::string_view name = trimmed(text.substr(0, is)), value = trimmed(text.substr(is + 1));
+    const std::string_view name = trimmed(text.substr(0, is));
+    const std::string value = withUnitClose(trimmed(text.substr(is + 1)));
     if (name == "sex") {
       const auto sex = sexNamed(value);
       if (!sex) return at(say("“{0}” is not one of: {1}.", shown(value), "female, male, child"));

@@ -112,6 +112,12 @@ TEST(MeasurementFiles, StrangersFilesAreRefused) {
   EXPECT_THAT(refusal(readValentina("<svg></svg>")), HasSubstr("no measures"));
   EXPECT_THAT(refusal(readValentina("<vit><unit>ell</unit></vit>")), HasSubstr("“ell” is no unit"));
   EXPECT_THAT(refusal(readValentina("<vit><unit>cm</unit>")), HasSubstr("ends too early"));
+  const auto apart = readMeasuresText("height = 168 cm\nbust_girth = 34.5 in  # with a blank, as people write it\n");
+  ASSERT_TRUE(apart) << text(apart.error().what);
+  EXPECT_DOUBLE_EQ(apart->measures.value.at("height"), 1.68);
+  EXPECT_DOUBLE_EQ(apart->measures.value.at("bust_girth"), 34.5 * 0.0254);
+  for (const char* none : {"height = cm\n", "height = 168 c m\n", "height = 1 68\n", "height = 168 ells\n"})
+    EXPECT_THAT(refusal(readMeasuresText(none)), HasSubstr("Line 1: ")) << none;
   EXPECT_THAT(refusal(readMeasuresText("bust_girth = 88cm\nwast = 70cm\n")), HasSubstr("Line 2: "));
   EXPECT_THAT(refusal(readMeasuresText("bust = 88cm\nbust_girth = 80cm\n")), HasSubstr("given twice"));
   EXPECT_THAT(refusal(readMeasuresText("bust_girth 88\n")), HasSubstr("write it like"));

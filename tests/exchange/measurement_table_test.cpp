@@ -43,6 +43,9 @@ TEST(MeasurementTable, ReadsNamesUnitsAndSexes) {
 }
 
 TEST(MeasurementTable, TakesSemicolonsAndTabs) {
+  const auto apart = readMeasurementTable("height;bust_girth\n158 cm;88,5 cm\n");
+  ASSERT_TRUE(apart) << text(apart.error().what);
+  EXPECT_DOUBLE_EQ(apart->people.front().measures.value.at("bust_girth"), 0.885);
   const auto semicolons = readMeasurementTable("height;bust_girth\n1.58;88cm\n"),
              tabs = readMeasurementTable("height\tbust_girth\n1.58\t88cm\n");
   ASSERT_TRUE(semicolons && tabs);
