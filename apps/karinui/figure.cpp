@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "karinui/design/glossary.h"
 #include "karinui/exchange/formats.h"
 #include "karinui/exchange/read_body.h"
 
@@ -24,8 +25,10 @@ Result<Measurements> readFigureMeasures(Program& program, const std::string& pat
   const Result<MeasuresRead> read = readMeasures(path);
   if (!read) return read.error();
   Measurements made = forMannequin(read->measures);
+  std::vector<Message> left;
   for (const auto& [key, value] : read->measures.value)
-    if (!made.value.contains(key)) program.console.note(say("{0} is not used: no mannequin can be made to it.", key));
+    if (!made.value.contains(key)) left.push_back(say("{0}", key));
+  if (!left.empty()) program.console.note(say("Left out, as no mannequin can be made to it: {0}.", listSaid(left)));
   for (const std::string& name : read->unknown)
     program.console.note(say("“{0}” has no counterpart here and is left out.", name));
   return made;
@@ -38,7 +41,7 @@ Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFil
     chosen.size = sizeOrFile;
     return chosen;
   }
-  if (contentOf(sizeOrFile) == FileContent::Measures) {
+  if (contentOf(sizeOrFile) == FileContent::Measures || endingOf(sizeOrFile) == "json") {  // no body is JSON
     const Result<Measurements> measures = readFigureMeasures(opened.program(), sizeOrFile);
     if (!measures) return measures.error();
     chosen.sex = measures->sex;

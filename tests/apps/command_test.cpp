@@ -250,6 +250,16 @@ TEST_F(Command, AnswersInSentencesWithUnits) {
   EXPECT_EQ(check.out.find('_'), std::string::npos) << "no raw keys";
 }
 
+TEST_F(Command, WearsMeasuresOfAnyFileThatHasThem) {
+  std::ofstream(folder / "her.json") << R"({"chest": 900, "waist": 740, "seat": 1000, "bustSpan": 180, "hips": 950})";
+  std::ofstream(folder / "flap.ops") << "piece name=flap outline=\"M 0 0; low L 400 0; side L 400 500; left L 0 0\"\n";
+  const Said worn =
+      karinui("play " + (folder / "flap.ops") + " --body " + (folder / "her.json") + " -o " + (folder / "a.karinui"));
+  ASSERT_EQ(worn.exit, 0) << worn.err;
+  EXPECT_THAT(worn.err, HasSubstr("Left out, as no mannequin can be made to it: bust_span, high_hip_girth."));
+  EXPECT_THAT(karinui("log " + (folder / "a.karinui")).out, HasSubstr("hip_girth=1000mm"));
+}
+
 TEST_F(Command, TellsInItsHelpWhichFormatsShareAnEnding) {
   EXPECT_THAT(karinui("export --help").out, HasSubstr("dxf-aama or dxf-astm"));
   const Said report = karinui("report --help");
