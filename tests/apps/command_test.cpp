@@ -501,6 +501,23 @@ TEST_F(Command, TellsWhatEachStretchOfAnEdgeIsSewnTo) {
   EXPECT_EQ(karinui("info " + document() + " --piece front --json").json()["sewn"][0]["other"], "band.low@0.000:0.400");
 }
 
+// Corners that miss each other by a fifth of a millimetre are meant to meet.
+TEST_F(Command, TellsOfNoSliverOfAnEdge) {
+  ASSERT_EQ(play("rectangle name=left width=40cm height=9cm\nrectangle name=right width=60cm height=9cm\n"
+                 "rectangle name=front width=400.2mm height=20cm\nrectangle name=back width=599.8mm height=20cm\n"
+                 "sew a=\"left.top right.top\" b=\"front.bottom back.bottom\" reversed=yes\n")
+                .exit,
+            0);
+  for (const auto& [piece, other] :
+       {std::pair("left", "front.bottom"), {"right", "back.bottom"}, {"front", "left.top"}}) {
+    const auto sewn = karinui("info " + document() + " --piece " + piece + " --json").json()["sewn"];
+    ASSERT_EQ(sewn.size(), 1u) << sewn;
+    EXPECT_EQ(sewn[0]["other"], other);
+    EXPECT_EQ(sewn[0]["from"], 0.0);
+    EXPECT_EQ(sewn[0]["to"], 1.0);
+  }
+}
+
 TEST_F(Command, AmendsAStepAndPlaysThoseAfterIt) {
   ASSERT_EQ(
       play("set spacing=30mm\npiece name=flap outline=\"M 0 0; low L 400 0; side L 400 500; top L 0 500; left L 0 0\"\n"
