@@ -53,13 +53,17 @@ Seen seen(const Upright& piece, const Curve& curve) {
 }
 
 // Where the middle of an edge stands from the middle of its piece: left and right are the wearer's.
-Vec3 standsAt(const Piece& piece, Flat paper) {
+Vec3 standsAt(const Piece& piece, const Upright& upright, Flat paper) {
   Vec3 sum, at;
   if (!piece.form || piece.form->flat.empty()) {
+    const bool drawn = piece.pose.w * piece.pose.w > 1 - 1e-9;  // as it was drawn: not turned to stand anywhere yet
+    const auto place = [&](Flat p) {
+      const Flat here = drawn ? upright.turned(p) : p;
+      return Vec3{here.u, here.v, 0};
+    };
     const Ring ring = piece.outline.flattened(1e-3);
-    for (const Flat p : ring) sum = sum + Vec3{p.u, p.v, 0};
-    return piece.pose.turned(Vec3{paper.u, paper.v, 0} -
-                             sum * (1.0 / static_cast<double>(std::max<std::size_t>(ring.size(), 1))));
+    for (const Flat p : ring) sum = sum + place(p);
+    return piece.pose.turned(place(paper) - sum * (1.0 / static_cast<double>(std::max<std::size_t>(ring.size(), 1))));
   }
   double nearest = 1e18;
   for (std::size_t i = 0; i < piece.form->flat.size(); ++i) {
@@ -103,7 +107,7 @@ Message described(const Document& document, const Piece& piece, const Upright& u
   if (edge.name.ends_with("_left") || edge.name.ends_with("_l")) return say("left {0}", role);
   if (edge.name.ends_with("_right") || edge.name.ends_with("_r")) return say("right {0}", role);
   if (std::fabs(lies.across) < kMiddle || (lies.part != EdgeZone::Side && lies.chord > 0.6)) return role;
-  const Vec3 at = standsAt(piece, edge.curve.atFraction(0.5));
+  const Vec3 at = standsAt(piece, upright, edge.curve.atFraction(0.5));
   if (std::fabs(at.z) > 1.5 * std::fabs(at.x))  // on the side of the body or on a limb
     return at.z > 0 ? say("front {0}", role) : say("back {0}", role);
   return at.x > 0 ? say("left {0}", role) : say("right {0}", role);

@@ -129,6 +129,22 @@ TEST(Glossary, NamesTheProgramMadeUpAreSaidAsATailorSaysThem) {
   }
 }
 
+// As the cutting trade draws a front, its grain along u: it lies on its side, and is called as it will be worn.
+TEST(Glossary, EdgesOfAPieceDrawnOnItsSideAreCalledWithTheGrainUpwards) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const Done played = room.play(
+      file,
+      "piece name=front grain=1,0 outline=\"M 0 200; e1 L 0 -200; e2 L 300 -220; e3 C 330 -160 430 -150 480 -170; e4 L "
+      "520 -70; e5 C 420 -60 420 60 520 70; e6 L 480 170; e7 C 430 150 330 160 300 220; e8 L 0 200\"\n");
+  ASSERT_TRUE(played) << text(played.error().what);
+  const std::pair<const char*, const char*> names[] = {
+      {"e1", "hem"},      {"e2", "left side"},      {"e3", "left armhole"},  {"e4", "left shoulder"},
+      {"e5", "neckline"}, {"e6", "right shoulder"}, {"e7", "right armhole"}, {"e8", "right side"}};
+  for (const auto& [edge, said] : names)
+    EXPECT_EQ(text(edgeNameSaid(file.document(), *file.document().pieceNamed("front"), edge)), said) << edge;
+}
+
 TEST(Glossary, EdgesWithANumberAreCalledByHowTheyAreCutAndWhereTheyLie) {
   Workroom room;
   DocumentFile file = DocumentFile::inMemory();
