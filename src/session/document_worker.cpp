@@ -131,8 +131,10 @@ bool DocumentWorker::cameByItself(const Step& drape, const Token& token) {
          std::includes(dirty.begin(), dirty.end(), live.begin(), live.end());
 }
 
-Done DocumentWorker::goTo(std::uint64_t seq, const Token& token) {
+Done DocumentWorker::goTo(std::uint64_t seq, std::uint64_t towards, const Token& token) {
   Context own = context(token);
+  if (towards != 0)
+    if (Done done = file_.goTo(towards, own); !done) return done;
   return file_.goTo(seq, own);
 }
 Done DocumentWorker::amend(std::size_t which, Operation operation, const Token& token) {

@@ -45,7 +45,9 @@ class DocumentWorker {
   // Whether a drape that follows the head, and was there when the document was opened, came by itself after the step
   // there: nothing of that is written, but it drapes what that step disturbed and nothing that was at rest.
   bool cameByItself(const Step& drape, const Token& token);
-  Done goTo(std::uint64_t seq, const Token& token);
+  // Redo walks on from there to `towards`, a later step of its branch; 0: as far as it did, if it is on the present
+  // one.
+  Done goTo(std::uint64_t seq, std::uint64_t towards, const Token& token);
   Done amend(std::size_t which, Operation operation, const Token& token);
   DocumentState state(const Token& token);
   SnapshotPtr snapshotAfter(std::uint64_t seq, const Token& token);  // null: not to be had

@@ -56,7 +56,11 @@ struct Session::Impl {
   FigureTrial trial;
 
   // Steps that were changed: where one stood before and after, so that undo and redo can go between the two ways.
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> amended;
+  struct Amended {
+    std::uint64_t before, after;
+    std::uint64_t tip = 0;  // as far as redo went on from `after` when undo left it
+  };
+  std::vector<Amended> amended;
 
   int longWorks = 0;            // under way
   std::uint64_t documents = 0;  // that came and went: what was asked about another is not told
@@ -106,9 +110,9 @@ struct Session::Impl {
   void makeReady();  // finds out, while nobody waits, what drapes and poses of a figure that is new here will ask
   void perform(Operation operation);
   void turn(bool back);  // one step back or forth; a drape that came by itself goes with the step it belongs to
-  void goTo(std::uint64_t seq);
+  void goTo(std::uint64_t seq, std::uint64_t towards = 0);
   std::uint64_t head() const { return state.steps.empty() ? 0 : state.steps.back().seq; }
-  std::optional<std::uint64_t> otherWay(bool back) const;  // where undo (redo) of a changed step leads from here
+  std::optional<std::size_t> otherWay(bool back) const;  // where undo (redo) of a changed step leads from here
 
   // A pose is a step that can be stopped, as a drape can; it changes nothing then.
   bool posingNow() const { return tasks.busy(TaskQueue::Kind::Pose); }

@@ -126,7 +126,11 @@ void Session::Impl::turn(bool back) {
     ++changes.garment;
     if (back && wasAsked) return tell(Notice::Kind::Said, say("Stopped; nothing was changed."));
   }
-  if (const auto there = otherWay(back)) return goTo(*there);
+  if (const auto there = otherWay(back)) {
+    Amended& way = amended[*there];
+    if (back) way.tip = state.undone.empty() ? head() : state.undone.back().seq;
+    return back ? goTo(way.before) : goTo(way.after, way.tip);
+  }
   const auto own = schedule.automaticSteps();
   tasks.add(TaskQueue::Kind::Step, [this, back, own](const Token& token) {
     // A drape that came by itself goes and comes with its cause.
@@ -147,11 +151,11 @@ void Session::Impl::turn(bool back) {
   });
 }
 
-void Session::Impl::goTo(std::uint64_t seq) {
+void Session::Impl::goTo(std::uint64_t seq, std::uint64_t towards) {
   dropGesture();
   dropSettling();
-  tasks.add(TaskQueue::Kind::Step, [this, seq](const Token& token) {
-    const Done done = documentWorker->goTo(seq, token);
+  tasks.add(TaskQueue::Kind::Step, [this, seq, towards](const Token& token) {
+    const Done done = documentWorker->goTo(seq, towards, token);
     const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
     return [this, done, fresh] {
       if (!done) tellError(done.error());
@@ -160,10 +164,10 @@ void Session::Impl::goTo(std::uint64_t seq) {
   });
 }
 
-std::optional<std::uint64_t> Session::Impl::otherWay(bool back) const {
-  for (auto way = amended.rbegin(); way != amended.rend(); ++way) {
-    if (back && way->second == head()) return way->first;
-    if (!back && way->first == head() && state.undone.empty()) return way->second;
+std::optional<std::size_t> Session::Impl::otherWay(bool back) const {
+  for (std::size_t k = amended.size(); k-- > 0;) {
+    if (back && amended[k].after == head()) return k;
+    if (!back && amended[k].before == head() && state.undone.empty()) return k;
   }
   return std::nullopt;
 }
