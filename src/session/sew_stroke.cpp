@@ -26,12 +26,19 @@ double reachInMetres(const GestureContext& context, const PointerSample& sample,
   return line.empty() ? sample.reach : sample.reach * distance(line[line.size() / 2], sample.ray.origin);
 }
 
+// A zip holds its edges as a seam does, also while it stands open.
+Pattern withWholeZips(const Document& document) {
+  Fastenings whole = document.allowances.fastenings;
+  for (auto& [name, own] : whole) own.zipped = 1;
+  return withZips(document.pattern, whole);
+}
+
 bool sameEdge(const EdgeNear& a, const EdgeNear& b) { return a.piece == b.piece && a.edge == b.edge; }
 
 }  // namespace
 
 SewStroke::SewStroke(const GestureContext& context, EdgeNear from, PointerSample sample)
-    : border_(context.snapshot->document.pattern, from),
+    : border_(withWholeZips(context.snapshot->document), from),
       from_(std::move(from)),
       last_(sample),
       began_(border_.find(from_).value_or(0)) {}

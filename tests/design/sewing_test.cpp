@@ -334,5 +334,26 @@ TEST(SewnRuns, AreNamedByHowTheirNamesBegin) {
       << text(refused.error().what);
 }
 
+// A seam and a zip on the same stretch of an edge would tie a place to two others.
+TEST_F(Sewing, ASeamKeepsClearOfAZip) {
+  play(
+      "piece name=over outline=\"M 0 0; hem L 200 0; centre L 200 300; neck L 0 300; side L 0 0\"\n"
+      "piece name=under outline=\"M 0 0; hem L 200 0; side L 200 300; neck L 0 300; centre L 0 0\" "
+      "pose=\"0.2,0,0\"\n"
+      "fasten name=opening kind=zip a=over.centre b=under.centre reversed=yes from=top length=20cm "
+      "closed_length=0\n");
+  EXPECT_THAT(refusal("sew a=over.centre b=under.centre reversed=yes"), HasSubstr("zip “opening”"));
+  EXPECT_THAT(refusal("sew a=under.centre@0.5:0.9 b=over.centre@0:0.4"), HasSubstr("zip “opening”"));
+  // Much of the zip is a mistake; a few millimetres of it are not seen, and its end was meant.
+  play("sew a=over.centre@0:0.345 b=under.centre@0.64:1 reversed=yes\n");
+  const Seam& seam = document().pattern.seams.begin()->second;
+  EXPECT_NEAR(seam.a.front().to, 1.0 / 3, 1e-9);
+  EXPECT_NEAR(seam.b.front().from, 2.0 / 3, 1e-9);
+  // A lining or a placket is sewn to the edge that the zip is in.
+  play(
+      "rectangle name=placket width=10cm height=10cm\n"
+      "sew a=over.centre@0.5:0.8 b=placket.side_left\n");
+}
+
 }  // namespace
 }  // namespace karinui

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "design/workroom.h"
+#include "karinui/design/sewing.h"
 #include "karinui/session/session.h"
 
 namespace karinui {
@@ -115,6 +116,35 @@ TEST_F(ZipSlider, IsDrawnAlongByKeys) {
   for (int k = 0; k < 5; ++k) session.strike(KeyStroke::Up, with);
   session.strike(KeyStroke::Press, with);
   EXPECT_NEAR(closed(), 0.15, 0.0051);
+}
+
+// What a zip leaves open of two edges is sewn to its very end, however the hand begins the stroke; a seam that ran a
+// millimetre into the zip would draw the cloth to pieces.
+TEST_F(ZipSlider, ASeamEndsWhereTheZipBegins) {
+  session.perform(op("fasten name=opening none=yes"));
+  session.perform(
+      op("fasten name=opening kind=zip a=over.centre b=under.centre reversed=yes from=top length=20cm "
+         "closed_length=0"));
+  session.finish();
+  session.command(Command::Sew);
+  const std::size_t steps = session.steps().size();
+  const auto on = [&](const char* piece, Phase phase, double u, double v) {
+    PointerSample sample;
+    sample.phase = phase, sample.where = PointerSample::Where::Table, sample.reach = 0.005;
+    sample.place = Flat{u, v} + session.table().at(session.snapshot().document.pieceNamed(piece)->id);
+    session.feed(sample);
+  };
+  for (const auto& [piece, u, from] : {std::tuple("over", 0.2, 0.106), std::tuple("under", 0.0, 0.096)}) {
+    on(piece, Phase::Press, u, from);
+    for (double v = from; v > 0.002; v -= 0.01) on(piece, Phase::Drag, u, v);
+    on(piece, Phase::Release, u, 0.002);
+  }
+  session.finish();
+  ASSERT_EQ(session.steps().size(), steps + 1);
+  const auto* sewn = std::get_if<SewEdges>(&session.steps().back().operation);
+  ASSERT_TRUE(sewn);
+  EXPECT_NEAR(lengthOf(session.snapshot().document, sewn->a), 0.1, 1e-6);
+  EXPECT_NEAR(lengthOf(session.snapshot().document, sewn->b), 0.1, 1e-6);
 }
 
 // The slider is seen: a plate across both sides, and its tab on what is closed.

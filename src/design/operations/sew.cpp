@@ -61,6 +61,43 @@ SewEdges sewnInstead(const Document& document, SewEdges meant) {
   return meant;
 }
 
+bool lieOn(const std::vector<EdgeRef>& side, const std::vector<EdgeSpan>& held) {
+  return std::any_of(side.begin(), side.end(), [&](const EdgeRef& ref) {
+    return std::any_of(held.begin(), held.end(),
+                       [&](const EdgeSpan& span) { return span.piece == ref.piece.id && span.edge == ref.edge; });
+  });
+}
+
+// Where a zip joins two edges no seam joins them, or a place would be tied to two others. A seam between them that
+// comes a few millimetres too far ends where the zip ends.
+Done clearOfZips(const Document& document, SewEdges& op) {
+  constexpr double kTooFar = 0.01;  // metres
+  constexpr double kSame = 1e-6;    // of an edge
+  for (const auto& [name, own] : document.allowances.fastenings) {
+    Fastening whole = own;
+    whole.zipped = 1;
+    const auto zip = zipSeam(document.pattern, whole);
+    if (!zip || !((lieOn(op.a, zip->a) && lieOn(op.b, zip->b)) || (lieOn(op.a, zip->b) && lieOn(op.b, zip->a))))
+      continue;
+    for (auto* side : {&op.a, &op.b})
+      for (EdgeRef& edge : *side)
+        for (const auto* held : {&zip->a, &zip->b})
+          for (const EdgeSpan& span : *held) {
+            if (span.piece != edge.piece.id || span.edge != edge.edge) continue;
+            const double from = std::fmax(edge.from, span.from), to = std::fmin(edge.to, span.to);
+            if (to - from < kSame) continue;
+            EdgeRef both = edge;
+            both.from = from, both.to = to;
+            const bool atStart = from<edge.from + kSame, atEnd = to> edge.to - kSame;
+            if (atStart == atEnd || lengthOf(document, {both}) > kTooFar)
+              return refused(say("The zip “{0}” closes {1}; sew the part that it leaves, or take it out first.", name,
+                                 spoken(document, edge)));
+            (atStart ? edge.from : edge.to) = atStart ? to : from;
+          }
+  }
+  return {};
+}
+
 }  // namespace
 
 Done resolve(const Document& given, SewEdges& op, Context& context) {
@@ -71,6 +108,8 @@ Done resolve(const Document& given, SewEdges& op, Context& context) {
   for (EdgeRef* edge : all)
     if (Done done = resolveSewn(given, *edge); !done) return done;
   const Document before = withOneCurve(given, op.a, op.b);
+  if (!context.recorded)
+    if (Done done = clearOfZips(before, op); !done) return done;
   for (std::size_t i = 0; i < all.size(); ++i) {
     EdgeRef& edge = *all[i];
     for (std::size_t j = 0; j < i; ++j)
