@@ -129,6 +129,9 @@ void Session::command(Command command) {
       if (!in.selection.line.empty()) return in.perform(EraseMarks{chosen().front(), {in.selection.line}, {}});
       if (in.selection.mark) return in.perform(EraseMarks{chosen().front(), {}, in.selection.mark});
       if (in.selection.seam) return in.perform(Unsew{{SeamRef(in.selection.seam)}});
+      if (in.selection.edge)
+        return in.tell(Notice::Kind::Refused, say("An edge goes only with its piece; click inside the piece to choose "
+                                                  "that, then take it away."));
       return in.perform(RemovePieces{chosen()});
     case Command::Duplicate: {
       DuplicatePiece copy;

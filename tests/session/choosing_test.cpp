@@ -1,0 +1,72 @@
+// What a click chooses, and what Delete takes away of it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "design/workroom.h"
+#include "karinui/session/session.h"
+
+namespace karinui {
+namespace {
+
+class Choosing : public testing::Test {
+ protected:
+  Choosing() : session(options()) {
+    const auto lines = parseScript(kTwoPieces);
+    for (const ScriptLine& line : *lines) session.perform(line.operation);
+    session.finish();
+    front = session.snapshot().document.pieceNamed("front")->id;
+    back = session.snapshot().document.pieceNamed("back")->id;
+  }
+  SessionOptions options() {
+    SessionOptions made;
+    made.autoSettle = false;
+    made.drape = room.context.drape;
+    return made;
+  }
+  void click(PieceId piece, Flat paper, bool shift = false) {
+    PointerSample hand;
+    hand.where = PointerSample::Where::Table, hand.reach = 0.005, hand.shift = shift;
+    hand.place = paper + session.table().at(piece);
+    for (const auto phase : {PointerSample::Phase::Press, PointerSample::Phase::Release})
+      hand.phase = phase, session.feed(hand);
+    session.finish();
+  }
+  // Well inside the piece.
+  Flat inside(PieceId piece) const {
+    Flat low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const Edge& edge : session.snapshot().document.find(piece)->outline.edges) {
+      low = {std::fmin(low.u, edge.curve.start.u), std::fmin(low.v, edge.curve.start.v)};
+      high = {std::fmax(high.u, edge.curve.start.u), std::fmax(high.v, edge.curve.start.v)};
+    }
+    return lerp(low, high, 0.45);
+  }
+  Workroom room;
+  Session session;
+  PieceId front, back;
+};
+
+TEST_F(Choosing, DeleteTakesNoPieceAwayWhereAnEdgeWasChosen) {
+  const std::size_t steps = session.steps().size();
+  const Edge& edge = session.snapshot().document.find(front)->outline.edges.front();
+  const std::string name = edge.name;
+  click(front, edge.curve.atFraction(0.4));
+  ASSERT_TRUE(session.selection().edge);
+  EXPECT_EQ(session.selection().edge->edge, name);
+  session.takeNotices();
+  session.command(Command::Remove);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), steps);
+  ASSERT_TRUE(session.snapshot().document.find(front));
+  const auto told = session.takeNotices();
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told.front().kind, Notice::Kind::Refused);
+  EXPECT_THAT(text(told.front().what), testing::HasSubstr("click inside the piece"));
+  click(front, inside(front));
+  ASSERT_FALSE(session.selection().edge);
+  session.command(Command::Remove);
+  session.finish();
+  EXPECT_FALSE(session.snapshot().document.find(front));
+}
+
+}  // namespace
+}  // namespace karinui
