@@ -86,7 +86,14 @@ void Session::Impl::point(const PointerSample& sample) {
   const Hit hit = pick(*seen(), table, sample);
   GestureResult answer = gesture->feed(sample, hit, context());
   countClicks();
-  if (const auto chosen = gesture->chosen()) choose(*chosen);
+  if (auto chosen = gesture->chosen()) {
+    if (sample.shift) {
+      const PieceId piece = *chosen->pieces.begin();
+      chosen->pieces = selection.pieces;
+      if (chosen->pieces.erase(piece) == 0) chosen->pieces.insert(piece);
+    }
+    choose(*std::move(chosen));
+  }
   if (const auto aside = gesture->laidAside()) table.carry(aside->first, aside->second);
   if (sample.phase == Phase::Press && gesture->begun() && hit.piece && tool != Command::Draw) {
     Selection taken;

@@ -22,6 +22,8 @@ class SelectGesture : public Gesture {
         selection.edge = hit.edge;
         if (hit.edge) selection.seam = seamAt(context.snapshot->document, *hit.edge);
         chosen_ = selection;
+        if (sample.shift) chosen_.reset();
+        if (sample.shift && hit.piece) chosen_ = Selection{{hit.piece}, {}, {}};  // one more of several, or one less
         slider_ = held_ = sliderAt(sample, hit, context);
         if (held_) closed_ = held_->closed();
         return {};

@@ -68,5 +68,19 @@ TEST_F(Choosing, DeleteTakesNoPieceAwayWhereAnEdgeWasChosen) {
   EXPECT_FALSE(session.snapshot().document.find(front));
 }
 
+TEST_F(Choosing, AClickWithShiftChoosesOneMoreAndOneLess) {
+  click(front, inside(front));
+  EXPECT_EQ(session.selection().pieces, std::set<PieceId>{front});
+  click(back, inside(back), true);
+  EXPECT_EQ(session.selection().pieces, (std::set<PieceId>{front, back}));
+  click(front, inside(front), true);
+  EXPECT_EQ(session.selection().pieces, std::set<PieceId>{back});
+  click(front, session.snapshot().document.find(front)->outline.edges.front().curve.atFraction(0.4), true);
+  EXPECT_EQ(session.selection().pieces, (std::set<PieceId>{front, back})) << "on its edge, too, the piece is meant";
+  EXPECT_FALSE(session.selection().edge);
+  click(front, inside(front));
+  EXPECT_EQ(session.selection().pieces, std::set<PieceId>{front});
+}
+
 }  // namespace
 }  // namespace karinui
