@@ -18,6 +18,7 @@
 #include "karinui/design/glossary.h"
 #include "karinui/design/sewing.h"
 #include "karinui/design/variables.h"
+#include "karinui/geometry/polygon.h"
 #include "karinui/pattern/elastic_lines.h"
 #include "karinui/pattern/grading.h"
 #include "karinui/session/fabric_numbers.h"
@@ -288,6 +289,38 @@ GradePieces gradedCorner(const Document& document, const EdgeNear& near) {
   return made;
 }
 
+namespace {
+
+// Whether a line runs across its piece from side to side, as that of a cuff does. A roll line runs out along the edge
+// of the front, or cuts a corner off: what it turns back keeps its shape.
+bool runsAcross(const Piece& piece, const Curve& line) {
+  constexpr double kOn = 0.001;   // metres
+  constexpr double kSteep = 0.5;  // of a right angle's sine
+  const auto& edges = piece.outline.edges;
+  const Flat along = normalized(line.end - line.start);
+  std::vector<std::size_t> met[2];
+  for (const bool last : {false, true}) {
+    const Flat end = last ? line.end : line.start;
+    bool steep = false;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const auto points = edges[k].curve.flattened();
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        if (distanceToSegment(points[i], points[i + 1], end) > kOn) continue;
+        if (met[last].empty() || met[last].back() != k) met[last].push_back(k);
+        steep = steep || std::fabs(cross(along, normalized(points[i + 1] - points[i]))) > kSteep;
+      }
+    }
+    if (!met[last].empty() && !steep) return false;
+  }
+  const std::size_t n = edges.size();
+  for (const std::size_t i : met[0])
+    for (const std::size_t k : met[1])
+      if (i == k || (i + 1) % n == k || (k + 1) % n == i) return false;
+  return true;
+}
+
+}  // namespace
+
 FoldLine turningAlong(const Document& document, PieceId piece, const std::string& line) {
   FoldLine made;
   made.piece = PieceRef(piece), made.lines = {line}, made.turned = true;
@@ -295,8 +328,9 @@ FoldLine turningAlong(const Document& document, PieceId piece, const std::string
   if (const Piece* own = document.find(piece))
     for (const InternalLine& drawn : own->lines)
       if (drawn.name == line) {
-        // Along a straight line it is cut to lie on what it is turned over.
-        made.flared = drawn.curves.size() == 1 && drawn.curves.front().kind == Curve::Kind::Line;
+        // Across the piece it is cut to lie on what it is turned over.
+        made.flared = drawn.curves.size() == 1 && drawn.curves.front().kind == Curve::Kind::Line &&
+                      runsAcross(*own, drawn.curves.front());
         if (drawn.crease) made.angle = Angle{drawn.crease->angle}, made.hold = drawn.crease->hold;
       }
   return made;

@@ -626,6 +626,32 @@ TEST(StudioNewPieces, LinesAreAmendedFromWhatTheyHave) {
   EXPECT_EQ(fold.hold, 0.7);
 }
 
+// A cuff is cut anew so that it lies on the sleeve; a lapel, on a line that runs out along the front edge, keeps its
+// shape, and what the dialog begins with can be made.
+TEST(StudioNewPieces, ALapelIsTurnedBackAsItWasCut) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* step : {"piece name=front pose=\"0,1,0.3\" outline=\"M 0 0; hem L 250 0; side L 250 400; shoulder L "
+                           "80 500; neckline L 0 "
+                           "420; centre L 0 0\"",
+                           "line piece=front along=\"8cm,50cm; 0,20cm\" name=roll_line",
+                           "piece name=sleeve pose=\"0.5,1,0.3\" outline=\"M 0 0; hem L 250 0; side L 260 400; cap L "
+                           "-10 400; other L 0 0\"",
+                           "line piece=sleeve along=\"0,6cm; 25cm,6cm\" name=cuff_line"})
+    w.session().perform(*parseOperation(step)), w.rest();
+  const Document& document = w.session().snapshot().document;
+  const FoldLine lapel = turningAlong(document, document.pieceNamed("front")->id, "roll_line");
+  EXPECT_FALSE(lapel.flared);
+  const FoldLine cuff = turningAlong(document, document.pieceNamed("sleeve")->id, "cuff_line");
+  EXPECT_TRUE(cuff.flared);
+  for (const FoldLine& fold : {lapel, cuff}) {
+    const std::size_t before = w.count();
+    w.session().perform(fold);
+    w.rest();
+    EXPECT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  }
+}
+
 // What is held is read in its field, or, where that is very long, under the pointer.
 TEST(StudioNewPieces, WhatAFieldHoldsCanBeRead) {
   KARINUI_NEEDS_DISPLAY();
