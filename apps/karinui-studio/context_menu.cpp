@@ -44,11 +44,11 @@ double toMillimetre(double share, double whole) {
   return whole > 0 ? std::clamp(std::round(share * whole * 1000) / 1000 / whole, 0.0, 1.0) : share;
 }
 
-// The inner line under a place of the paper; empty: none.
-std::string lineAt(const Piece& piece, Flat place) {
-  constexpr double kReach = 0.008;  // metres
+constexpr double kLineReach = 0.008;  // metres
+
+// The inner line under a place of the paper that is nearer than so much; empty: none.
+std::string lineAt(const Piece& piece, Flat place, double nearest = kLineReach) {
   std::string found;
-  double nearest = kReach;
   for (const InternalLine& line : piece.lines)
     for (const Curve& curve : line.curves) {
       const auto points = curve.flattened(1e-4);
@@ -57,6 +57,15 @@ std::string lineAt(const Piece& piece, Flat place) {
           nearest = away, found = line.name;
     }
   return found;
+}
+
+// A line that runs along an edge is met where the pointer is nearer to it.
+void preferLine(const Document& document, Hit& hit) {
+  const Piece* piece = hit.edge && hit.edge->piece == hit.piece ? document.find(hit.piece) : nullptr;
+  const Edge* edge = piece ? findEdge(*piece, hit.edge->edge) : nullptr;
+  if (!edge) return;
+  const double away = distance(hit.paper, edge->curve.atFraction(hit.edge->fraction));
+  if (!lineAt(*piece, hit.paper, std::fmin(away, kLineReach)).empty()) hit.edge.reset();
 }
 
 bool isLoose(const Document& document, PieceId id) {
@@ -144,7 +153,8 @@ std::vector<Strength> strengthsOf(const Document& document, const std::vector<Ed
 }  // namespace
 
 void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
-  const Hit hit = pick(session_->snapshot(), session_->table(), sample);
+  Hit hit = pick(session_->snapshot(), session_->table(), sample);
+  preferLine(session_->snapshot().document, hit);
   Selection chosen;
   if (hit.piece) chosen.pieces = {hit.piece};
   chosen.edge = hit.edge;

@@ -109,6 +109,25 @@ TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
   chooseEntry(w, "Back");
 }
 
+// A roll line runs out along the front edge: what lies right under the pointer is meant, not what is near it.
+TEST(StudioMenus, ALineBesideAnEdgeIsMet) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().perform(*parseOperation(
+      "piece name=front pose=\"0,1,0.3\" outline=\"M 0 0; hem L 250 0; side L 250 500; neck L 0 500; centre L 0 0\""));
+  w.rest();
+  w.session().perform(*parseOperation("line piece=front along=\"4mm,50cm; 4mm,0cm\" name=lapel"));
+  w.rest();
+  rightClick(w, w.table(), w.onTable("front", {0.004, 0.25}));
+  EXPECT_THAT(offered(), Contains("Turn back along lapel…"));
+  EXPECT_THAT(offered(), Not(Contains("Band along it…")));
+  contextMenu()->close();
+  QApplication::processEvents();
+  rightClick(w, w.table(), w.onTable("front", {0, 0.25}));
+  EXPECT_THAT(offered(), Contains("Band along it…"));
+  contextMenu()->close();
+}
+
 TEST(StudioMenus, ARightDragTurnsAndAsksNothing) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
