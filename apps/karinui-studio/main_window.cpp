@@ -22,6 +22,7 @@
 #include "device_panel.h"
 #include "drafts.h"
 #include "drop_menu.h"
+#include "focus_frame.h"
 #include "force_feedback.h"
 #include "guide.h"
 #include "karinui/design/step_words.h"
@@ -183,6 +184,7 @@ MainWindow::MainWindow(SessionOptions options) {
   connect(cap_, &Cap::moved, this,
           [this](const CapMotion& motion) { space_->setCamera(carried(space_->camera(), motion)); });
   connect(cap_, &Cap::pressed, this, [this](int button) { run(button == 0 ? Command::ViewAll : Command::ViewFront); });
+  new FocusFrame(this);
   setAcceptDrops(true);
   resize(firstSize(screen()->availableSize()));
   const QSettings settings;

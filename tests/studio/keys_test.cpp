@@ -60,6 +60,27 @@ class StudioKeys : public testing::Test {
   Window* w = nullptr;
 };
 
+// F6 goes from part to part of the window, and each shows that the keys are its own now.
+TEST_F(StudioKeys, WhatHasTheKeysIsFramed) {
+  auto* frame = w->main().findChild<QWidget*>("focusFrame");
+  ASSERT_TRUE(frame);
+  std::set<QWidget*> framed;
+  for (int k = 0; k < 4; ++k) {
+    key(Qt::Key_F6);
+    QWidget* now = QApplication::focusWidget();
+    ASSERT_TRUE(now);
+    EXPECT_TRUE(frame->isVisible()) << now->metaObject()->className();
+    const QRect here(now->mapToGlobal(QPoint()), now->size());
+    EXPECT_TRUE(here.adjusted(-4, -4, 4, 4).contains(QRect(frame->mapToGlobal(QPoint()), frame->size())));
+    framed.insert(now);
+  }
+  EXPECT_EQ(framed.size(), 4u);
+  while (!w->space().hasFocus()) key(Qt::Key_F6);
+  w->keep("studio_focus");
+  w->click(w->space(), {w->space().freeWidth() / 2, 12});
+  EXPECT_FALSE(frame->isVisible()) << "a hand with a mouse needs none";
+}
+
 TEST_F(StudioKeys, Draw) {
   key(Qt::Key_D);
   key(Qt::Key_Tab);

@@ -354,5 +354,20 @@ TEST(StudioStart, ADamagedDocumentIsLeftAloneByEscape) {
   EXPECT_THAT(f.w.main().said().toStdString(), HasSubstr("karinui rescue"));
 }
 
+// Enter presses the button that has the focus, as it opens the card.
+TEST(StudioStart, EnterPressesTheButtonThatHasTheFocus) {
+  KARINUI_NEEDS_DISPLAY();
+  Fresh f;
+  f.w.main().showStart();
+  f.w.rest();
+  QPushButton& button = f.w.button("A sample garment");
+  button.setFocus(Qt::TabFocusReason);
+  int pressed = 0;
+  QObject::connect(&button, &QPushButton::clicked, &button, [&] { ++pressed; });
+  f.strike(button, Qt::Key_Return);
+  f.strike(button, Qt::Key_Space);
+  EXPECT_EQ(pressed, 2);
+}
+
 }  // namespace
 }  // namespace karinui::studio
