@@ -307,10 +307,10 @@ void MainWindow::refresh() {
   session_->update();
   const SessionChanges now = session_->changes();
   if (now.history != seen_.history) {
-    const auto& steps = session_->steps();  // drapes come by themselves
-    notices_->done(std::count_if(steps.begin(), steps.end(), [](const Step& step) {
-      return !std::holds_alternative<DrapePieces>(step.operation);
-    }));
+    std::uint64_t last = 0;  // a changed step is a new one; drapes come by themselves
+    for (const Step& step : session_->steps())
+      if (!std::holds_alternative<DrapePieces>(step.operation)) last = std::max(last, step.seq);
+    notices_->done(last);
   }
   bool refusal = false;
   for (const Notice& notice : session_->takeNotices()) {

@@ -116,8 +116,8 @@ void Notices::clear() {
   while (!shown_.empty()) take(shown_.back());
 }
 
-void Notices::done(std::ptrdiff_t steps) {
-  if (std::exchange(done_, steps) >= steps) return;
+void Notices::done(std::uint64_t last) {
+  if (std::exchange(done_, last) >= last) return;
   const std::deque<QLabel*> before = shown_;
   for (QLabel* label : before)
     if (label->property("refusal").toBool()) take(label);

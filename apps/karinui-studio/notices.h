@@ -26,7 +26,7 @@ class Notices : public QObject {
   void hold(bool on) { held_ = on; }  // while something is being worked out nothing goes by itself
   void clear();
   void clearNewest();
-  void done(std::ptrdiff_t steps);  // so many are done: with one more, what was refused before is past
+  void done(std::uint64_t last);  // the step done last: with a later one, what was refused before is past
   bool visible() const;
   QString newest() const { return said_.isEmpty() ? QString() : said_.back(); }  // also when it is gone
   void showAll(QWidget* parent) const;                                           // a dialog
@@ -46,7 +46,7 @@ class Notices : public QObject {
   std::unique_ptr<QEvent> firstPress_;  // not yet known to the view
   std::deque<QLabel*> shown_;           // the newest first
   QStringList said_;                    // the last ones, the newest at the end
-  std::ptrdiff_t done_ = 0;
+  std::uint64_t done_ = 0;
   int room_ = 400, between_ = 0;
   bool held_ = false;
 };

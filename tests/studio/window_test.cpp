@@ -348,6 +348,12 @@ TEST(StudioWindow, ARefusalGoesWithTheNextStep) {
   w.session().perform(*parseOperation("rename piece=front to=other")), w.rest();
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
   EXPECT_EQ(refusals(), 0);
+  // A step that is changed is one that is done, as when a measure of the figure is typed once more.
+  w.session().perform(*parseOperation("rename piece=none to=another")), w.rest();
+  EXPECT_EQ(refusals(), 1);
+  w.session().amend(before + 1, *parseOperation("rename piece=front to=third")), w.rest();
+  ASSERT_TRUE(w.session().snapshot().document.pieceNamed("third"));
+  EXPECT_EQ(refusals(), 0);
 }
 
 TEST(StudioWindow, WhatIsSaidOverAndOverIsKeptOnce) {
