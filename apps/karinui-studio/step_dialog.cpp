@@ -305,6 +305,12 @@ Result<Operation> StepDialog::wished() const {
   for (const StepField& field : typed_)
     if (std::string value = typed(field.name); !value.empty() && (counted || field.name != "count"))
       fields.push_back({field.name, std::move(value)});
+  for (const FieldHelp& field : helpOf(opened_).fields) {
+    const bool here =
+        std::any_of(typed_.begin(), typed_.end(), [&](const auto& own) { return own.name == field.name; });
+    if (field.needed && here && typed(field.name).empty())
+      return badInput(say("“{0}” has to be filled in.", asLabel(fieldSaid(name_, field.name)).toStdString()));
+  }
   return parseOperation(lineOf(name_, fields));
 }
 

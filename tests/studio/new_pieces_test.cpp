@@ -548,6 +548,22 @@ TEST(StudioNewPieces, PleatsThatThePaperRefusesAreToldInTheDialog) {
   EXPECT_EQ(w.count(), before);
 }
 
+// What is needed and was left empty is asked for by its label.
+TEST(StudioNewPieces, WhatIsNeededIsAskedForByItsLabel) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  menuOn(w, "front", "neck_left");
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Band along it…")));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  numbers.type("depth", "4");
+  ASSERT_EQ(numbers.said(), "");
+  numbers.line("depth").clear();
+  EXPECT_EQ(numbers.said(), QString::fromUtf8("“Depth” has to be filled in."));
+  EXPECT_FALSE(numbers.make().isEnabled());
+}
+
 // The same for what is sewn along edges; and a second time the dialog begins with what is there.
 TEST(StudioNewPieces, FinishesAreRefusedInTheDialogAndAmendedFromWhatIsThere) {
   KARINUI_NEEDS_DISPLAY();
