@@ -33,13 +33,35 @@ Pattern withWholeZips(const Document& document) {
   return withZips(document.pattern, whole);
 }
 
+// A stroke that begins a finger's breadth inside a zip was meant to begin where the zip ends.
+EdgeNear besideZip(const Pattern& zipped, const Pattern& pattern, EdgeNear from) {
+  constexpr double kBeside = 1e-5;  // of an edge
+  const auto piece = pattern.pieces.find(from.piece);
+  const Edge* edge = piece == pattern.pieces.end() ? nullptr : findEdge(*piece->second, from.edge);
+  if (!edge) return from;
+  const double near = kSnaps / edge->curve.length();
+  for (const auto& [id, seam] : zipped.seams) {
+    if (pattern.seams.contains(id)) continue;
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& zip : *side) {
+        if (zip.piece != from.piece || zip.edge != from.edge) continue;
+        if (from.fraction < zip.from || from.fraction > zip.to) continue;
+        if (zip.from > kBeside && from.fraction - zip.from < near)
+          from.fraction = zip.from - kBeside;
+        else if (zip.to < 1 - kBeside && zip.to - from.fraction < near)
+          from.fraction = zip.to + kBeside;
+      }
+  }
+  return from;
+}
+
 bool sameEdge(const EdgeNear& a, const EdgeNear& b) { return a.piece == b.piece && a.edge == b.edge; }
 
 }  // namespace
 
 SewStroke::SewStroke(const GestureContext& context, EdgeNear from, PointerSample sample)
-    : border_(withWholeZips(context.snapshot->document), from),
-      from_(std::move(from)),
+    : from_(besideZip(withWholeZips(context.snapshot->document), context.snapshot->document.pattern, std::move(from))),
+      border_(withWholeZips(context.snapshot->document), from_),
       last_(sample),
       began_(border_.find(from_).value_or(0)) {}
 

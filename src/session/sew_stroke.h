@@ -28,8 +28,8 @@ class SewStroke {
   void step(const GestureContext& context, const PointerSample& sample, const WantedEdge& other);
   double snapped(double along) const;
 
-  SewnBorder border_;
   EdgeNear from_, onto_;
+  SewnBorder border_;
   PointerSample last_;
   double began_, total_ = 0, beside_ = 0;
   bool left_ = false;
