@@ -411,8 +411,14 @@ void MainWindow::askBlock() {
     for (const std::string_view asked : {"kind", "ease", "length", "fabric"})
       if (field.name == asked) {
         fields->push_back(stepField(*document, help.name, field, asked == "kind" ? "shirt" : "", make));
-        if (auto* kinds = qobject_cast<QComboBox*>(fields->back().box); kinds && asked == "kind")
+        if (auto* kinds = qobject_cast<QComboBox*>(fields->back().box); kinds && asked == "kind") {
           kinds->removeItem(kinds->findData("collar"));  // it is drafted for a neckline that is there
+          const QString words = kinds->currentText();
+          const QVariant shirt = kinds->currentData();
+          kinds->removeItem(kinds->currentIndex());  // the first, as in the menu
+          kinds->insertItem(0, words, shirt);
+          kinds->setCurrentIndex(0);
+        }
         auto* label = new QLabel(asLabel(fieldSaid(help.name, field.name)));
         label->setBuddy(fields->back().box);
         form->addRow(label, fields->back().box);

@@ -760,6 +760,15 @@ TEST(StudioNewPieces, AShirtFromTheStartPage) {
   ASSERT_EQ(size->currentData().toByteArray(), "eu38");
   for (QComboBox* box : numbers.dialog->findChildren<QComboBox*>())
     EXPECT_LT(box->findData("collar"), 0) << "there is no neckline yet";
+  const auto* kinds = numbers.dialog->findChild<QComboBox*>("kind");
+  ASSERT_TRUE(kinds);
+  EXPECT_EQ(kinds->currentIndex(), 0) << "the arrow goes on from what it begins with";
+  EXPECT_EQ(kinds->itemData(0).toString(), "shirt");
+  EXPECT_EQ(kinds->itemData(1).toString(), "bodice");
+  numbers.type("ease", "-500");
+  QApplication::processEvents();
+  for (const QLabel* label : numbers.dialog->findChildren<QLabel*>())
+    EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
   numbers.type("ease", "bust_grith/4");
   QTest::mouseClick(&numbers.make(), Qt::LeftButton);
   EXPECT_TRUE(numbers.dialog->isVisible()) << "nothing is begun with what cannot be";
