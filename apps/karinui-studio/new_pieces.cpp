@@ -395,10 +395,13 @@ void MainWindow::askBlock() {
     if (Done done = checkNumbers(std::get<DraftBlock>(*block)); !done) return done.error();
     return block;
   };
-  const auto show = [wished, said, buttons] {
+  const auto show = [dialog, wished, said, buttons] {
     const auto block = wished();
     said->setText(block ? QString() : inWords(block.error().what));
     buttons->button(QDialogButtonBox::Ok)->setEnabled(static_cast<bool>(block));
+    dialog->layout()->activate();
+    const int high = dialog->layout()->totalHeightForWidth(dialog->width());  // a long sentence hides no other
+    if (dialog->isVisible() && high > dialog->height()) dialog->resize(dialog->width(), high);
   };
   const auto make = [this, dialog, size, wished, show] {
     const auto block = wished();
