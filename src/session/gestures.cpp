@@ -110,8 +110,9 @@ void showEdge(Preview& preview, const GestureContext& context, const EdgeRef& pa
 }
 
 std::string easeSaid(const GestureContext& context, double one, double other) {
-  const std::string sign = other >= one ? "+" : "−";
+  constexpr double kNothing = 5e-5;  // metres: too little to be told in any unit
   const double spare = std::fabs(other - one);
+  const std::string sign = other >= one || spare < kNothing ? "+" : "−";
   return context.said(one) + " / " + context.said(other) + "   " + sign + context.said(spare) + " (" + sign +
          fixed(one > 0 ? 100 * spare / one : 0, 1) + " %)";
 }

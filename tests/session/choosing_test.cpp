@@ -82,5 +82,22 @@ TEST_F(Choosing, AClickWithShiftChoosesOneMoreAndOneLess) {
   EXPECT_EQ(session.selection().pieces, std::set<PieceId>{front});
 }
 
+// Sides that differ by a hair have nothing to spare, neither more nor less.
+TEST_F(Choosing, NothingToSpareIsNotLessThanNothing) {
+  for (const char* step : {"piece name=left outline=\"M 0 0; hem L 200 0; centre L 200 300; neck L 0 300; side L 0 0\"",
+                           "piece name=right outline=\"M 0 0; hem L 200 0; side L 200 300; neck L 0 300; centre L 0 "
+                           "0.02; low L 0 0\" pose=\"0.3,0,0\"",
+                           "sew a=left.centre b=right.centre"})
+    session.perform(op(step));
+  session.finish();
+  const Piece& left = *session.snapshot().document.pieceNamed("left");
+  PointerSample hand;
+  hand.where = PointerSample::Where::Table, hand.reach = 0.005, hand.phase = PointerSample::Phase::Hover;
+  hand.place = Flat{0.2, 0.15} + session.table().at(left.id);
+  session.feed(hand);
+  ASSERT_FALSE(session.preview().table.words.empty());
+  EXPECT_THAT(session.preview().table.words.front().text, testing::HasSubstr("30.0 cm / 30.0 cm   +0.0 cm (+0.0 %)"));
+}
+
 }  // namespace
 }  // namespace karinui
