@@ -362,6 +362,8 @@ TEST(StudioStart, EnterPressesTheButtonThatHasTheFocus) {
   f.w.rest();
   QPushButton& button = f.w.button("A sample garment");
   button.setFocus(Qt::TabFocusReason);
+  button.disconnect(SIGNAL(clicked()));  // what it begins is another test's
+  button.disconnect(SIGNAL(clicked(bool)));
   int pressed = 0;
   QObject::connect(&button, &QPushButton::clicked, &button, [&] { ++pressed; });
   f.strike(button, Qt::Key_Return);
