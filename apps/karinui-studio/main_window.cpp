@@ -53,11 +53,12 @@ MainWindow::MainWindow(SessionOptions options) {
   letViewsSpeak();
   wake_.setSingleShot(true);
   connect(&wake_, &QTimer::timeout, this, &MainWindow::refresh);
-  options.wake = [this] {
+  // Work may still wake a window that goes: its timer is gone before the thread that works is.
+  options.wake = [self = QPointer<MainWindow>(this)] {
     QMetaObject::invokeMethod(
-        &wake_,
-        [this] {
-          if (!wake_.isActive()) wake_.start(pause());
+        qApp,
+        [self] {
+          if (self && !self->wake_.isActive()) self->wake_.start(self->pause());
         },
         Qt::QueuedConnection);
   };

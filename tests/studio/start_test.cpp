@@ -354,6 +354,20 @@ TEST(StudioStart, ADamagedDocumentIsLeftAloneByEscape) {
   EXPECT_THAT(f.w.main().said().toStdString(), HasSubstr("karinui rescue"));
 }
 
+TEST(StudioStart, AWindowThatClosesInTheMiddleOfWorkIsWokenNoMore) {
+  KARINUI_NEEDS_DISPLAY();
+  for (int k = 0; k < 8; ++k) {
+    Fresh f;
+    f.w.main().showStart();
+    f.w.rest();
+    QPushButton& button = f.w.button("A sample garment");
+    button.setFocus(Qt::TabFocusReason);
+    f.strike(button, Qt::Key_Return);
+    f.strike(button, Qt::Key_Space);
+  }
+  QApplication::processEvents();
+}
+
 // Enter presses the button that has the focus, as it opens the card.
 TEST(StudioStart, EnterPressesTheButtonThatHasTheFocus) {
   KARINUI_NEEDS_DISPLAY();
