@@ -130,7 +130,7 @@ bool isField(const std::string& word) {
 Done inQuotationMarks(const std::vector<std::string>& words) {
   const auto field = std::find_if(words.begin(), words.end(), isField);
   if (field == words.end()) return {};
-  std::string whole = field == words.begin() ? "set" : *(field - 1);
+  std::string whole = field == words.begin() ? "OPERATION" : *(field - 1);
   for (auto one = field; one != words.end() && isField(*one); ++one) {
     const std::size_t value = one->find('=') + 1;
     const bool several = one->find(' ', value) != std::string::npos;

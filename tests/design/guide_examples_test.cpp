@@ -81,6 +81,7 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
                              "rectangle name=one width=20cm height=30cm\nrectangle name=two width=20cm height=30cm\n"
                              "fasten kind=zip a=one.side_left b=two.side_right length=20cm\n"},
       {"pleat edge=skirt.waist count=6", kPieces},
+      {"pleat edge=skirt.waist to=skirt.hem", kPieces},
       {"pleat edge=kilt.waist", "rectangle name=kilt width=60cm height=50cm edges=\"hem left waist right\"\n"},
       {"pleat edge=front.top", "body size=eu38\nrectangle name=front width=\"waist_girth/2 + 15mm\" height=54cm\n"},
       {"pleat lines=",
