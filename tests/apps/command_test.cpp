@@ -558,7 +558,7 @@ TEST_F(Command, SaysWhereQuotationMarksWereForgotten) {
   EXPECT_NE(cut.exit, 0);
   EXPECT_THAT(cut.err, HasSubstr("“piece=front” stands by itself"));
   EXPECT_THAT(cut.err, HasSubstr("'cut piece=front line=\"0,-1cm 0,20cm\" name=slit'"));
-  EXPECT_THAT(karinui("do " + document() + " ease=1cm").err, HasSubstr("'set ease=1cm'"));
+  EXPECT_THAT(karinui("do " + document() + " ease=1cm").err, HasSubstr("'OPERATION ease=1cm'"));
   EXPECT_EQ(karinui("do " + document() + " 'cut piece=front line=\"10cm,-1cm 10cm,20cm\"' 'set ease=1cm'").exit, 0);
 }
 
