@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTest>
@@ -293,6 +294,61 @@ TEST(StudioMenus, BothPlacesOfASlashAreShownAsShares) {
   for (const char* place : {"at", "to_at"})
     EXPECT_THAT(numbers->findChild<QLineEdit*>(place)->text().toStdString(), testing::EndsWith(" %")) << place;
   numbers->reject();
+}
+
+// A pleat that runs out at the edge that was chosen, at the place of the click.
+TEST(StudioMenus, APleatRunsOutAtTheChosenEdge) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().perform(*parseOperation("rectangle name=skirt width=60cm height=40cm")), w.rest();
+  w.table().showAll();
+  w.rest();
+  w.key(Command::Select);
+  const Piece skirt = *w.session().snapshot().document.pieceNamed("skirt");
+  const auto on = [&](const char* edge, double share) {
+    return w.onTable("skirt", findEdge(skirt, edge)->curve.atFraction(share));
+  };
+  w.click(w.table(), on("bottom", 0.6));
+  w.rest();
+  rightClick(w, w.table(), on("top", 0.35));
+  w.keep("studio_pleat_to_menu");
+  chooseEntry(w, "Pleat that runs out at bottom edge of skirt…");
+  auto* numbers = w.main().findChild<QDialog*>("step_dialog");
+  ASSERT_TRUE(numbers) << w.main().said().toStdString();
+  EXPECT_FALSE(numbers->findChild<QLineEdit*>("count")->isVisible()) << "it has its place";
+  EXPECT_TRUE(numbers->findChild<QLineEdit*>("depth")->isVisible());
+  w.keepDialog(*numbers, "studio_pleat_to");
+  QTest::mouseClick(numbers->findChild<QPushButton*>("make"), Qt::LeftButton);
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  w.rest();
+  EXPECT_THAT(w.last(), AllOf(StartsWith("pleat edge="), HasSubstr("to=p1.bottom"), HasSubstr("hold=0")));
+  const Piece& pleated = *w.session().snapshot().document.pieceNamed("skirt");
+  EXPECT_NEAR(findEdge(pleated, "bottom")->curve.length(), 0.6, 1e-3);
+  EXPECT_TRUE(findEdge(pleated, "pleat_2"));
+  w.keep("studio_pleated_to");
+}
+
+// The mirrored copy of a cuff is sewn to the other sleeve.
+TEST(StudioMenus, WhatIsMirroredIsSewnAsThePieceIs) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* line :
+       {"polygon name=sleeve_left points=\"-12cm,0; 12cm,0; 16cm,40cm; -16cm,40cm\" edges=\"hem a cap b\"",
+        "mirror piece=sleeve_left", "rectangle name=cuff_left width=24cm height=6cm",
+        "sew a=cuff_left.top b=sleeve_left.hem"})
+    w.session().perform(*parseOperation(line)), w.rest();
+  ASSERT_EQ(w.count(), 4u) << w.main().said().toStdString();
+  Selection cuff;
+  cuff.pieces = {w.session().snapshot().document.pieceNamed("cuff_left")->id};
+  w.session().select(cuff);
+  w.session().command(Command::Mirror);
+  w.rest();
+  const Document& now = w.session().snapshot().document;
+  ASSERT_TRUE(now.pieceNamed("cuff_right")) << w.main().said().toStdString();
+  ASSERT_EQ(now.pattern.seams.size(), 2u);
+  const Seam& seam = now.pattern.seams.rbegin()->second;
+  EXPECT_EQ(seam.a.front().piece, now.pieceNamed("cuff_right")->id);
+  EXPECT_EQ(seam.b.front().piece, now.pieceNamed("sleeve_right")->id);
 }
 
 // What is sewn or pressed there is a step firmer or softer by one click, and stays what it is otherwise.
