@@ -155,12 +155,14 @@ class Wedge {
     double at = fold.t;
     if (before && at <= kSameShare) k = (k + edges.size() - 1) % edges.size(), at = 1;
     if (!before && at >= 1 - kSameShare) k = (k + 1) % edges.size(), at = 0;
-    if (!end || end->edge != k || (before ? end->t >= at : end->t <= at))
-      return refused(
-          say("A pleat {0} mm deep does not fit there on edge {1}, which is {2} mm long: it would reach "
-              "beyond its end. Put it farther in, or join the edge to the next one first.",
-              inMm(near ? made_.depth : distance(fold_.far, place_.far) / 2), edges[k].name,
-              inMm(edges[k].curve.length())));
+    if (!end || end->edge != k || (before ? end->t >= at : end->t <= at)) {
+      const Curve& curve = edges[k].curve;
+      const double room = before ? curve.lengthTo(at) : curve.length() - curve.lengthTo(at);
+      return refused(say(
+          "A pleat {0} mm deep does not fit there on edge {1}, which has {2} mm beside its fold. Put it farther in, "
+          "or join the edge to the next one first.",
+          inMm(near ? made_.depth : distance(fold_.far, place_.far) / 2), edges[k].name, inMm(room)));
+    }
     const double from = before ? end->t : at, to = before ? at : end->t;
     return Over{edges[k].curve.part(from, to), k, from, to};
   }
