@@ -401,11 +401,7 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   menu.addSeparator();
   const std::vector<EdgeRef> run = runThrough(document, ref);
   offer(menu, say("Band along it…"), [this, ref] { askNumbers(bandAlong(session_->snapshot().document, ref)); });
-  offer(menu, say("Facing…"), [this, run] {
-    FaceEdges face;
-    face.edges = run;
-    askNumbers(face);
-  });
+  offer(menu, say("Facing…"), [this, ref] { askNumbers(facingAlong(session_->snapshot().document, ref)); });
   const auto offerFinish = [&](const Message& words, auto along) {
     offer(menu, words, [this, run, along] { askNumbers(along(session_->snapshot().document, run)); });
   };

@@ -21,6 +21,7 @@
 #include "karinui/geometry/polygon.h"
 #include "karinui/pattern/elastic_lines.h"
 #include "karinui/pattern/grading.h"
+#include "karinui/pattern/likeness.h"
 #include "karinui/session/fabric_numbers.h"
 #include "main_window.h"
 #include "step_dialog.h"
@@ -68,6 +69,18 @@ LinePieces hangingLining(const Document& document, const std::vector<PieceRef>& 
   }
   if (!lining.open.empty()) lining.shorter = Length{0.025};
   return lining;
+}
+
+FaceEdges facingAlong(const Document& document, const EdgeRef& edge) {
+  FaceEdges face;
+  face.edges = runThrough(document, edge);
+  for (const EdgeRef& own : face.edges)
+    for (const auto& [id, other] : document.pattern.pieces) {
+      const Piece& piece = *document.find(own.piece.id);
+      if ((other->mirrorOf == piece.id || piece.mirrorOf == id) && edgeOnCopy(*other, piece, own.edge))
+        face.copies = Choice::Yes;
+    }
+  return face;
 }
 
 AddPleat pleatsIn(const Document& document, const EdgeRef& edge) {
@@ -511,9 +524,8 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
   add("band", say("Band along the chosen edge…"), Of::Edge,
       [chosen, this] { return Operation(bandAlong(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
   add("facing", say("Facing along the chosen edge…"), Of::Edge, [chosen, this] {
-    FaceEdges made;
-    if (const auto edge = chosen()) made.edges = runThrough(session_->snapshot().document, *edge);
-    return Operation(made);
+    const auto edge = chosen();
+    return Operation(edge ? facingAlong(session_->snapshot().document, *edge) : FaceEdges{});
   });
   menu = &details;
   add("pleat", say("Pleats in the chosen edge…"), Of::Edge,

@@ -10,6 +10,7 @@ namespace karinui::studio {
 DrawBand bandAlong(const Document& document, const EdgeRef& edge);
 
 // Pleats about 6 cm apart all along an edge, as the dialog first offers them.
+FaceEdges facingAlong(const Document& document, const EdgeRef& edge);  // its run, on symmetric copies too
 AddPleat pleatsIn(const Document& document, const EdgeRef& edge);
 // Pleats that are drawn: the line is their fold, and beside it lie the fold inside and where the fold comes to lie. One
 // to either side at most.

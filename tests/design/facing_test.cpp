@@ -73,6 +73,32 @@ TEST(FacedEdges, GoOnOverClosedDarts) {
   EXPECT_EQ(facings(*old).size(), 4u);
 }
 
+// A front is faced with its copy in one step; the facings are each other's copies. Without a copy that is refused.
+TEST(FacedEdges, OnSymmetricCopiesToo) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(
+      file,
+      "piece name=front_left outline=\"M 0 0; hem L 300 0; side_left L 320 500; neck L 20 450; centre L 0 0\"\n"
+      "piece name=back outline=\"M 0 0; hem L 300 0; side L 300 500; neck L 0 450; centre L 0 0\" pose=\"0,0,-0.3\"\n"
+      "mirror piece=front_left\n"));
+  const auto faced = [&](const char* line) { return apply(file.document(), op(line), room.context); };
+  const auto both = faced("facing edges=\"front_left.neck front_left.centre\" width=5cm copies=yes");
+  ASSERT_TRUE(both) << text(both.error().what);
+  const Piece *left = both->pieceNamed("front_left_facing"), *right = both->pieceNamed("front_right_facing");
+  ASSERT_TRUE(left && right);
+  EXPECT_EQ(right->mirrorOf, left->id);
+  EXPECT_NEAR(left->outline.area(), right->outline.area(), 1e-9);
+  EXPECT_EQ(both->pattern.seams.size(), 2u);
+  const auto named = faced("facing edges=\"front_left.neck front_right.neck\" copies=yes");
+  ASSERT_TRUE(named) << text(named.error().what);
+  EXPECT_EQ(named->pattern.seams.size(), 2u) << "each once";
+  EXPECT_EQ(faced("facing edges=front_left.neck")->pattern.seams.size(), 1u);
+  const auto none = faced("facing edges=back.neck copies=yes");
+  ASSERT_FALSE(none);
+  EXPECT_THAT(text(none.error().what), testing::HasSubstr("has no symmetric copy"));
+}
+
 // Two slanted panels and a straight one, whose middle one's lining is sewn to nothing but linings.
 const char* const kPanels =
     "piece name=first outline=\"M 0 0; hem L 200 0; side L 200 300; top L 60 300; free L 0 0\"\n"

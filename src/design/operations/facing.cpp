@@ -1,11 +1,13 @@
 // Facings: of each piece one for each run of its edges, beneath it and sewn to it along the run. Where the pieces are
 // sewn to each other beside the run, their facings are, too.
 #include <algorithm>
+#include <map>
 
 #include "design/operations/cut_parts.h"
 #include "design/operations/lifted_form.h"
 #include "design/operations/merged.h"
 #include "design/operations/operations.h"
+#include "karinui/pattern/likeness.h"
 #include "karinui/pattern/pleats.h"
 
 namespace karinui {
@@ -42,6 +44,38 @@ void tellPleated(const Document& before, const std::vector<RunOnPiece>& runs, co
       break;
     }
   }
+}
+
+// With the same edges of the symmetric copies, those that are not named themselves.
+std::vector<EdgeRef> withImages(const Document& document, const FaceEdges& op) {
+  std::vector<EdgeRef> edges = op.edges;
+  for (const EdgeRef& edge : op.edges)
+    for (const PieceId copy : copiesMeant(document, edge.piece.id, op.copies)) {
+      const EdgeRef image{PieceRef(copy), *edgeOnCopy(*document.find(copy), *document.find(edge.piece.id), edge.edge)};
+      const bool named = std::any_of(edges.begin(), edges.end(), [&](const EdgeRef& one) {
+        return one.piece.id == copy && one.edge == image.edge;
+      });
+      if (!named) edges.push_back(image);
+    }
+  return edges;
+}
+
+// The facings of a piece and of its copy are each other's symmetric copies, where each has as many.
+Document withLikeFacings(Document document, const std::map<PieceId, std::vector<PieceId>>& facings) {
+  const auto there = [&](PieceId outer) {
+    std::vector<PieceId> all;
+    if (const auto own = facings.find(outer); own != facings.end())
+      for (const PieceId id : own->second)
+        if (document.find(id)) all.push_back(id);
+    return all;
+  };
+  for (const auto& [outer, unused] : facings) {
+    const PieceId of = document.find(outer)->mirrorOf;
+    const std::vector<PieceId> own = there(outer), first = there(of);
+    for (std::size_t k = 0; own.size() == first.size() && k < own.size(); ++k)
+      document = withLikeness(std::move(document), first[k], own[own.size() - 1 - k]);
+  }
+  return document;
 }
 
 bool lieOnOne(const Document& document, const Seam& seam) {
@@ -90,6 +124,11 @@ Done resolve(const Document& before, FaceEdges& op, Context& context) {
   if (!(op.width >= 0.005 && op.width <= 0.5)) return refused(say("A facing is 5 mm to 50 cm deep."));
   if (!op.fabric.empty())
     if (Done done = checkFabricName(before, op.fabric); !done) return done;
+  if (op.copies == Choice::Yes) {
+    std::vector<PieceRef> pieces;
+    for (const EdgeRef& edge : op.edges) pieces.push_back(edge.piece);
+    if (Done done = resolveCopies(before, pieces, op.copies, context); !done) return done;
+  }
   for (Choice* choice : {&op.eases, &op.closed})
     if (*choice == Choice::Auto && !context.recorded) *choice = Choice::Yes;
   return {};
@@ -100,7 +139,7 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context& c
         return !before.find(edge.piece.id)->form || before.drape.dirty.contains(edge.piece.id);
       }))
     context.advise({say("Drape the garment before it is faced: the facing then lies close inside it.")});
-  const std::vector<RunOnPiece> runs = runsOf(before, op.edges);
+  const std::vector<RunOnPiece> runs = runsOf(before, withImages(before, op));
   tellPleated(before, runs, context);
   std::vector<PieceId> outers;
   for (const RunOnPiece& run : runs) outers.push_back(run.piece);
@@ -115,6 +154,7 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context& c
     after.pattern.seams[id] = std::move(seam);
     return id;
   };
+  std::map<PieceId, std::vector<PieceId>> facings;
   std::vector<SeamId> darts;                  // by which facings are sewn to each other
   std::vector<DividedPart::EdgePart> beside;  // of all facings, but for the runs themselves
   for (const RunOnPiece& run : runs) {
@@ -147,6 +187,7 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context& c
       part.own.piece = piece.id;
       if (std::find(run.edges.begin(), run.edges.end(), part.piece.edge) == run.edges.end()) beside.push_back(part);
     }
+    facings[outer.id].push_back(piece.id);
     after = withPiece(std::move(after), std::move(piece));
   }
   for (const auto& [id, seam] : before.pattern.seams) {
@@ -159,7 +200,8 @@ Result<Document> perform(const Document& before, const FaceEdges& op, Context& c
     if (ease) after.eases[sewnAs] = *ease;
     if (dart) darts.push_back(sewnAs);
   }
-  return op.closed == Choice::Yes ? closedOver(std::move(after), darts, sewn, context) : after;
+  if (op.closed == Choice::Yes) after = closedOver(std::move(after), darts, sewn, context);
+  return op.copies == Choice::Yes ? withLikeFacings(std::move(after), facings) : after;
 }
 
 }  // namespace karinui

@@ -193,7 +193,7 @@ struct FaceEdges {
   std::vector<EdgeRef> edges;
   Length width{0.06};
   std::string fabric;
-  Choice eases = Choice::Auto, closed = Choice::Auto;
+  Choice eases = Choice::Auto, closed = Choice::Auto, copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edges", self.edges, "the edges, as a neckline or the front edges", kNeeded);
@@ -205,6 +205,7 @@ struct FaceEdges {
         "the facing goes on over the piece's darts, closed, in one: auto, yes, no (auto: yes, but no in a record that "
         "does not have it)",
         kOptional);
+    visit("copies", self.copies, "the same edges of the symmetric copies too: auto, yes, no (auto: no)", kOptional);
   }
   bool operator==(const FaceEdges&) const = default;
 };
