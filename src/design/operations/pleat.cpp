@@ -135,7 +135,7 @@ Done resolveLines(const Document& before, AddPleat& op) {
 }
 
 // Pleats that are folded one after the other stand together, when the last of them is.
-struct OneByOne {
+struct PleatSeries {
   const Document& first;  // before all of them
   std::vector<PleatedPiece> earlier;
   std::uint32_t seams = 0;  // that they have made
@@ -144,7 +144,7 @@ struct OneByOne {
 
 class Pleating {
  public:
-  Pleating(const Document& before, const AddPleat& op, const PleatedPiece& made, const OneByOne& all)
+  Pleating(const Document& before, const AddPleat& op, const PleatedPiece& made, const PleatSeries& all)
       : before_(before), op_(op), made_(made), was_(*before.find(op.edge.piece.id)), all_(all), seams_(all.seams) {}
 
   Result<Document> performed() {
@@ -310,7 +310,7 @@ class Pleating {
   const AddPleat& op_;
   PleatedPiece made_;
   const Piece& was_;
-  const OneByOne& all_;
+  const PleatSeries& all_;
   Document after_;
   std::uint32_t seams_;
 };
@@ -335,7 +335,7 @@ Result<Document> pleatedTo(const Document& before, const Piece& piece, const Add
   const auto onFold = [&](const std::string& edge) { return kinds.kind(piece.id, edge) == EdgeKind::Fold; };
   Document after = before;
   std::vector<EdgeMap> maps;
-  OneByOne all{before, {}};
+  PleatSeries all{before, {}};
   for (std::size_t n = 0; n < plan.at.size(); ++n) {
     // The outline runs along one edge and back along the other.
     const double share = (plan.at[n] - op.edge.from) / (op.edge.to - op.edge.from);
