@@ -209,6 +209,20 @@ Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& 
   return fasten;
 }
 
+Fasten zipIn(const Document& document, SeamId id) {
+  constexpr double kUsual = 0.2;  // metres
+  Fasten zip;
+  zip.kind = FasteningKind::Zip;
+  const Seam* seam = document.find(id);
+  if (!seam) return zip;
+  for (const bool over : {true, false})
+    for (const EdgeSpan& span : over ? seam->a : seam->b)
+      (over ? zip.a : zip.b).push_back({PieceRef(span.piece), span.edge, span.from, span.to});
+  zip.reversed = seam->reversed ? Choice::Yes : Choice::No;
+  zip.length = Length{std::floor(1000 * std::min(kUsual, lengthOf(document, zip.a))) / 1000};
+  return zip;
+}
+
 namespace {
 
 // The finish that the first of these has.
@@ -547,6 +561,11 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
   menu->addSeparator();
   add("fasten", say("Buttons or a zip along the chosen edge…"), Of::Edge, [chosen, this] {
     return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
+  });
+  add("zip", say("Zip in the seam of the chosen edge…"), Of::Edge, [chosen, this] {
+    const Document& document = session_->snapshot().document;
+    const std::vector<SeamId> seams = chosen() ? seamsOn(document, {*chosen()}) : std::vector<SeamId>();
+    return Operation(zipIn(document, seams.empty() ? SeamId() : seams.front()));
   });
   add("patch", say("Chosen piece sewn onto another…"), Of::Piece, [this] {
     const auto& taken = session_->selection().pieces;

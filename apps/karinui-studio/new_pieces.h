@@ -21,6 +21,8 @@ SlashAndSpread slashFrom(const Document& document, const EdgeRef& edge);
 SewPatch patchOf(const Document& document, PieceId piece);
 // Buttons about 8 cm apart along an edge that laps over another, as the dialog first offers them.
 Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under);
+// A zip of 20 cm at most, from the upper end of a seam; without sides where it is not there.
+Fasten zipIn(const Document& document, SeamId seam);
 // As the dialog first offers it: what is along the edges or the inner line already, otherwise with the usual numbers.
 SewElastic elasticAlong(const Document& document, const EdgeRef& line);
 SewElastic shirringAlong(const Document& document, std::vector<EdgeRef> edges);  // five rows of a weak elastic

@@ -355,5 +355,81 @@ TEST_F(Sewing, ASeamKeepsClearOfAZip) {
       "sew a=over.centre@0.5:0.8 b=placket.side_left\n");
 }
 
+// A zip in a side that is sewn already: the seam is opened along it and stays sewn beside it, in one step.
+TEST_F(Sewing, AZipOpensTheSeamItComesIn) {
+  play(
+      "piece name=over outline=\"M 0 0; hem L 200 0; side_left L 200 300; neck L 0 300; centre L 0 0\"\n"
+      "piece name=under outline=\"M 0 0; hem L 200 0; side L 200 300; neck L 0 300; centre L 0 0\" "
+      "pose=\"0.2,0,0\"\n"
+      "rectangle name=third width=10cm height=30cm\n"
+      "sew a=over.side_left b=under.centre reversed=yes name=side\nease seam=side by=9mm\n");
+  const Document sewn = document();
+  const auto setAt = [&](const std::string& more) -> Document {
+    const auto done =
+        apply(sewn, op("fasten name=opening kind=zip a=over.side_left b=under.centre " + more), room().context);
+    EXPECT_TRUE(done) << text(done.error().what);
+    return done ? *done : sewn;
+  };
+  const auto sewnLength = [](const Document& after) {
+    double all = 0;
+    for (const auto& [id, seam] : after.pattern.seams) all += length(after.pattern, seam.a);
+    return all;
+  };
+  // From the top: one part stays, and is the seam that was there.
+  const Document top = setAt("length=20cm");
+  ASSERT_EQ(top.pattern.seams.size(), 1u);
+  const Seam& rest = top.pattern.seams.begin()->second;
+  EXPECT_EQ(rest.id, sewn.pattern.seams.begin()->first);
+  EXPECT_EQ(rest.name, "side");
+  EXPECT_NEAR(rest.a.front().from, 0, 1e-9);
+  EXPECT_NEAR(rest.a.front().to, 1.0 / 3, 1e-9);
+  EXPECT_NEAR(rest.b.front().from, 2.0 / 3, 1e-9);
+  EXPECT_NEAR(rest.b.front().to, 1, 1e-9);
+  EXPECT_NEAR(top.eases.at(rest.id), 0.003, 1e-9);
+  ASSERT_TRUE(top.allowances.fastenings.contains("opening"));
+  EXPECT_NEAR(sewnLength(setAt("length=20cm from=bottom")), 0.1, 1e-9);
+  // In the middle, as under an arm: a part on either side.
+  const Document middle = setAt("first=5cm length=18cm");
+  EXPECT_EQ(middle.pattern.seams.size(), 2u);
+  EXPECT_NEAR(sewnLength(middle), 0.12, 1e-9);
+  double eases = 0;
+  for (const auto& [id, seam] : middle.pattern.seams) eases += middle.eases.at(id);
+  EXPECT_NEAR(eases, 0.009 * 12 / 30, 1e-9);
+  // The whole of it.
+  EXPECT_TRUE(setAt("").pattern.seams.empty());
+
+  EXPECT_THAT(refusal("fasten kind=zip a=over.side_left b=under.centre length=20cm unpick=no"),
+              HasSubstr("unsew seam=side"));
+  // What joins something else there is not opened.
+  EXPECT_THAT(refusal("fasten kind=zip a=over.side_left b=third.side_left length=20cm"), HasSubstr("Seam side holds"));
+  // Where the two sides of the zip lie far from each other in the seam, it is not clear what is to be opened.
+  EXPECT_THAT(refusal("fasten kind=zip a=over.side_left@0.5:1 b=under.centre@0.2:0.7 length=12cm"),
+              HasSubstr("Seam side holds"));
+}
+
+// On the symmetric copies only if it is asked for: a skirt has its zip on one side.
+TEST_F(Sewing, AZipOpensTheSeamOfTheCopiesWhenAsked) {
+  play(
+      "piece name=front_left outline=\"M 0 0; hem L 200 0; side L 200 300; neck L 0 300; centre L 0 0\"\n"
+      "piece name=back_left outline=\"M 0 0; hem L 200 0; side L 200 300; neck L 0 300; centre L 0 0\" "
+      "pose=\"0,0,-0.2\"\n"
+      "mirror piece=front_left\nmirror piece=back_left\n"
+      "sew a=front_left.side b=back_left.side reversed=no\nsew a=front_right.side b=back_right.side reversed=no\n");
+  const auto open = [&](const std::string& more) {
+    const auto done =
+        apply(document(), op("fasten kind=zip a=front_left.side b=back_left.side reversed=no length=20cm" + more),
+              room().context);
+    EXPECT_TRUE(done) << text(done.error().what);
+    double sewn = 0;
+    for (const auto& [id, seam] : done->pattern.seams) sewn += length(done->pattern, seam.a);
+    return std::pair(done->allowances.fastenings.size(), sewn);
+  };
+  const auto one = open(""), both = open(" copies=yes");
+  EXPECT_EQ(one.first, 1u);
+  EXPECT_NEAR(one.second, 0.4, 1e-9);
+  EXPECT_EQ(both.first, 2u);
+  EXPECT_NEAR(both.second, 0.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace karinui

@@ -125,6 +125,7 @@ TermTable fieldTerms() {
       {"seams.remove", say("Seams that run on")},
       {"sewn", say("Sewn as the piece is")},
       {"trued", say("Trued across the seams")},
+      {"unpick", say("Seam opened for the zip")},
       {"whole", say("All of a curved edge")},
       {"corners", say("Corners, by the edges that start there")},
       {"corners.underlay", say("Corners of a rectangle on the scan")},

@@ -3,7 +3,9 @@
 
 #include "design/operations/copied_joins.h"
 #include "design/operations/said.h"
+#include "design/operations/seam_parts.h"
 #include "design/operations/sewn_runs.h"
+#include "design/spoken.h"
 #include "karinui/design/sewing.h"
 #include "karinui/pattern/seam_walk.h"
 
@@ -159,7 +161,7 @@ Done checkOpen(const Document& before, const Fastening& own) {
               return refused(
                   say("{0}.{1} is sewn to another edge there, by seam {2}; choose free edges, name the part that is "
                       "free ({1}@0:0.5), or draw an inner line for it.",
-                      before.find(at.piece)->name, at.edge, seam.name.empty() ? text(id) : seam.name));
+                      before.find(at.piece)->name, at.edge, spoken(seam)));
     }
   }
   return {};
@@ -233,6 +235,50 @@ Message heldBy(const Document& before, const std::string& seam, const Seam& zip)
       seam, *a, *b);
 }
 
+// The stretch of a seam that a zip takes, if the seam joins what the zip joins. Nothing where its two sides come at
+// places of the seam that are far from each other.
+std::optional<SeamStretch> takenBy(const Pattern& pattern, const Seam& seam, const Seam& zip) {
+  constexpr double kApart = 0.01;  // metres
+  const double whole = length(pattern, seam.a);
+  for (const bool same : {true, false}) {
+    const auto onA = coveredBy(pattern, seam, true, same ? zip.a : zip.b),
+               onB = coveredBy(pattern, seam, false, same ? zip.b : zip.a);
+    if (!onA || !onB) continue;
+    if (std::fabs(onA->from - onB->from) * whole > kApart || std::fabs(onA->to - onB->to) * whole > kApart) continue;
+    return SeamStretch{std::fmin(onA->from, onB->from), std::fmax(onA->to, onB->to)};
+  }
+  return std::nullopt;
+}
+
+// The document with the seams opened where a zip comes between their two sides. `opened`: how they are called.
+Document unpickedFor(const Document& before, Fastening zip, std::vector<std::string>& opened, std::uint32_t& minted) {
+  zip.zipped = 1;
+  const auto along = zipSeam(before.pattern, zip);
+  Document after = before;
+  if (!along) return after;
+  for (const auto& [id, seam] : before.pattern.seams) {
+    const auto taken = takenBy(before.pattern, seam, *along);
+    if (!taken) continue;
+    opened.push_back(spoken(seam));
+    replaceByParts(before, after, id, partsBeside(before.pattern, seam, *taken), minted);
+  }
+  return after;
+}
+Document unpickedFor(const Document& before, const Fastening& zip) {
+  std::vector<std::string> opened;
+  std::uint32_t minted = 0;
+  return unpickedFor(before, zip, opened, minted);
+}
+
+// Auto becomes yes where a seam is to be opened. What was recorded before there was a choice has none.
+void decideUnpick(const Document& before, const Fastening& own, Choice& unpick, const Context& context) {
+  if (context.recorded || unpick == Choice::No) return;
+  std::vector<std::string> opened;
+  std::uint32_t minted = 0;
+  if (own.kind == FasteningKind::Zip) unpickedFor(before, own, opened, minted);
+  unpick = opened.empty() ? Choice::Auto : Choice::Yes;
+}
+
 // A zip is sewn between two edges that nothing else is sewn to.
 Done checkZip(const Document& before, Fastening own, const std::vector<EdgeRef>& a, const std::vector<EdgeRef>& b) {
   own.zipped = 1;
@@ -247,10 +293,7 @@ Done checkZip(const Document& before, Fastening own, const std::vector<EdgeRef>&
                        centimetres(onA), centimetres(onB)));
   for (const auto* side : {&seam->a, &seam->b}) {
     const std::vector<EdgeRef> refs = refsOf(*side);
-    for (const SeamId id : seamsOn(before, refs)) {
-      const Seam& sewn = *before.find(id);
-      return refused(heldBy(before, sewn.name.empty() ? text(id) : sewn.name, *seam));
-    }
+    for (const SeamId id : seamsOn(before, refs)) return refused(heldBy(before, spoken(*before.find(id)), *seam));
     for (const auto& [name, other] : before.allowances.fastenings) {
       if (other.kind != FasteningKind::Zip) continue;
       Fastening whole = other;
@@ -293,6 +336,7 @@ Done resolveCopies(const Document& before, const Fastening& own, Fasten& op, con
     return {};
   }
   with.allowances.fastenings[op.name] = own;
+  if (op.unpick == Choice::Yes && op.copies == Choice::Yes) with = unpickedFor(with, *copy);
   const Done done = checkSet(with, *copy, refsOf(copy->a), refsOf(copy->b));
   if (!done && op.copies == Choice::Yes) return done;
   op.copies = done ? Choice::Yes : Choice::No;
@@ -342,6 +386,7 @@ Done resolve(const Document& given, Fasten& op, Context& context) {
               "is, take it out and set it anew.",
               op.name));
     if (op.copies == Choice::No) op.copies = Choice::Auto;
+    op.unpick = Choice::Auto;  // nothing is to be decided
     if (op.copies == Choice::Yes)
       return refused(say("What is there already is opened and closed by itself; leave copies= away."));
     if (op.none && (op.closed || op.closedLength)) return refused(say("What is taken out is not closed."));
@@ -371,16 +416,27 @@ Done resolve(const Document& given, Fasten& op, Context& context) {
   }
   if (Done done = checkName(op.name); !done) return done;
   if (known.contains(op.name)) return refused(say("There is already a fastening “{0}”; choose another name.", op.name));
+  decideUnpick(before, own, op.unpick, context);
+  if (op.unpick == Choice::Yes) before = unpickedFor(before, own);
   if (Done done = checkSet(before, own, op.a, op.b); !done) return done;
   if (Done done = close(before, op, own); !done) return done;
   return resolveCopies(before, own, op, context);
 }
 
-Result<Document> perform(const Document& before, const Fasten& op, Context&) {
+Result<Document> perform(const Document& before, const Fasten& op, Context& context) {
   Document after = withOneCurve(before, op.a, op.b);
+  std::uint32_t minted = 0;
+  const auto unpick = [&](const Fastening& zip) {
+    if (op.unpick != Choice::Yes) return;
+    std::vector<std::string> opened;
+    after = unpickedFor(after, zip, opened, minted);
+    for (const std::string& seam : opened)
+      if (context.advise) context.advise({say("Seam {0} is opened where the zip comes.", seam)});
+  };
   Fastenings& all = after.allowances.fastenings;
   if (isNew(op)) {
     Fastening own = made(after, op);
+    unpick(own);
     own.closed = own.kind == FasteningKind::Zip ? 0 : static_cast<int>(own.at.size());
     if (const auto same = sameThere(all, own); same != all.end()) all.erase(same);
     all[op.name] = std::move(own);
@@ -392,6 +448,7 @@ Result<Document> perform(const Document& before, const Fasten& op, Context&) {
   after = laidOver(std::move(after), is, isNew(op));
   if (op.copies == Choice::Yes)
     if (const auto copy = fasteningOnCopies(after, is)) {
+      unpick(*copy);
       Fastenings& now = after.allowances.fastenings;
       now[nameOnCopies(now, op.name)] = *copy;
       after = laidOver(std::move(after), *copy, true);

@@ -7,10 +7,9 @@ namespace karinui {
 
 namespace {
 
-// A part of a seam, by the share of its length along side a.
-struct Share {
-  double from = 0, to = 1;
-};
+using Share = SeamStretch;
+
+constexpr double kShortest = 0.002;  // metres: shorter parts are left out
 
 // Where each span of a side lies in it.
 std::vector<Share> sharesOf(const Pattern& pattern, const std::vector<EdgeSpan>& side) {
@@ -65,35 +64,67 @@ std::vector<EdgeSpan> partOf(const Pattern& pattern, const std::vector<EdgeSpan>
   return spans;
 }
 
+void addPart(const Pattern& pattern, const Seam& seam, Share share, std::vector<SeamPart>& parts) {
+  if ((share.to - share.from) * length(pattern, seam.a) < kShortest) return;
+  Seam part = seam;
+  part.a = partOf(pattern, seam.a, share, false), part.b = partOf(pattern, seam.b, share, seam.reversed);
+  parts.push_back({std::move(part), share.to - share.from});
+}
+
 }  // namespace
 
 std::vector<SeamPart> partsWithout(const Pattern& pattern, const Seam& seam, const OnSpan& gone) {
-  constexpr double kShortest = 0.002;  // metres
-  const double all = length(pattern, seam.a);
   std::vector<SeamPart> parts;
   for (const Share& a : staying(pattern, seam.a, gone, false))
-    for (const Share& b : staying(pattern, seam.b, gone, seam.reversed)) {
-      const Share both{std::max(a.from, b.from), std::min(a.to, b.to)};
-      if ((both.to - both.from) * all < kShortest) continue;
-      Seam part = seam;
-      part.a = partOf(pattern, seam.a, both, false), part.b = partOf(pattern, seam.b, both, seam.reversed);
-      parts.push_back({std::move(part), both.to - both.from});
-    }
+    for (const Share& b : staying(pattern, seam.b, gone, seam.reversed))
+      addPart(pattern, seam, {std::max(a.from, b.from), std::min(a.to, b.to)}, parts);
   return parts;
 }
 
-void keepParts(const Document& before, Document& after, const OnSpan& gone, std::uint32_t& minted) {
-  for (const auto& [id, seam] : before.pattern.seams) {
-    if (!touches(seam, gone)) continue;
-    const auto ease = before.eases.find(id);
-    bool first = true;
-    for (SeamPart& part : partsWithout(before.pattern, seam, gone)) {
-      if (!first) part.seam.id = mint<SeamId>(before, minted++), part.seam.name.clear();
-      if (ease != before.eases.end()) after.eases[part.seam.id] = ease->second * part.share;
-      after.pattern.seams[part.seam.id] = std::move(part.seam);
-      first = false;
+std::vector<SeamPart> partsBeside(const Pattern& pattern, const Seam& seam, SeamStretch gone) {
+  std::vector<SeamPart> parts;
+  addPart(pattern, seam, {0, gone.from}, parts);
+  addPart(pattern, seam, {gone.to, 1}, parts);
+  return parts;
+}
+
+std::optional<SeamStretch> coveredBy(const Pattern& pattern, const Seam& seam, bool onA,
+                                     const std::vector<EdgeSpan>& other) {
+  constexpr double kNone = 1e-6;  // of an edge
+  const std::vector<EdgeSpan>& side = onA ? seam.a : seam.b;
+  const std::vector<Share> shares = sharesOf(pattern, side);
+  std::optional<Share> covered;
+  for (std::size_t k = 0; k < side.size(); ++k)
+    for (const EdgeSpan& span : other) {
+      const EdgeSpan& own = side[k];
+      const double from = std::max(own.from, span.from), to = std::min(own.to, span.to);
+      if (own.piece != span.piece || own.edge != span.edge || to - from < kNone) continue;
+      const auto along = [&](double at) {
+        return std::lerp(shares[k].from, shares[k].to, (at - own.from) / (own.to - own.from));
+      };
+      if (!covered) covered = Share{along(from), along(to)};
+      covered->from = std::min(covered->from, along(from)), covered->to = std::max(covered->to, along(to));
     }
+  if (covered && !onA && seam.reversed) covered = Share{1 - covered->to, 1 - covered->from};
+  return covered;
+}
+
+void replaceByParts(const Document& before, Document& after, SeamId id, std::vector<SeamPart> parts,
+                    std::uint32_t& minted) {
+  const auto ease = before.eases.find(id);
+  after.pattern.seams.erase(id);
+  bool first = true;
+  for (SeamPart& part : parts) {
+    if (!first) part.seam.id = mint<SeamId>(before, minted++), part.seam.name.clear();
+    if (ease != before.eases.end()) after.eases[part.seam.id] = ease->second * part.share;
+    after.pattern.seams[part.seam.id] = std::move(part.seam);
+    first = false;
   }
+}
+
+void keepParts(const Document& before, Document& after, const OnSpan& gone, std::uint32_t& minted) {
+  for (const auto& [id, seam] : before.pattern.seams)
+    if (touches(seam, gone)) replaceByParts(before, after, id, partsWithout(before.pattern, seam, gone), minted);
 }
 
 }  // namespace karinui

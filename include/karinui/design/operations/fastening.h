@@ -12,7 +12,7 @@
 namespace karinui {
 
 // fasten name=front a=right.centre b=left.centre count=6 first=1.5cm last=10cm size=11mm
-// fasten kind=zip a=back_left.centre b=back_right.centre length=20cm
+// fasten kind=zip a=back_left.centre b=back_right.centre length=20cm   a seam there is opened along the zip
 // fasten name=front closed=4        fasten name=front none=yes
 struct Fasten {
   static constexpr std::string_view kName = "fasten";
@@ -30,6 +30,7 @@ struct Fasten {
   std::optional<int> closed;
   std::optional<Length> closedLength;
   bool none = false;
+  Choice unpick = Choice::Auto;
   Choice copies = Choice::Auto;
   // The fields that only some kinds have; a field that is not listed all have.
   static constexpr std::string_view kKindField = "kind";
@@ -37,7 +38,7 @@ struct Fasten {
     const FasteningTraits& traits = traitsOf(kind);
     if (field == "count" || field == "spacing" || field == "last" || field == "inset" || field == "closed")
       return traits.counted;
-    if (field == "length" || field == "closed_length") return !traits.counted;
+    if (field == "length" || field == "closed_length" || field == "unpick") return !traits.counted;
     if (field == "size") return traits.sized;
     if (field == "holes") return traits.holed;
     return field != "gap" || traits.gapped;
@@ -68,6 +69,10 @@ struct Fasten {
     visit("closed", self.closed, "how many are closed, from where counting begins (otherwise all)", kOptional);
     visit("closed_length", self.closedLength, "how far a zip is closed, from its lower end (otherwise all)", kOptional);
     visit("none", self.none, "yes: takes it out", kOptional);
+    visit("unpick", self.unpick,
+          "of a zip that is new: a seam between its two sides is opened where the zip comes, and stays sewn beside it: "
+          "auto, yes, no (auto: if there is one)",
+          kOptional);
     visit("copies", self.copies,
           "of one that is new: between the symmetric copies of its pieces too: auto, yes, no (auto: if both sides have "
           "one, and there is room)",

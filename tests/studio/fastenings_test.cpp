@@ -1,0 +1,122 @@
+// Buttons and zips set by the right button in the real window.
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+
+#include "karinui/design/script.h"
+#include "outline_drawing.h"
+#include "step_dialog.h"
+#include "studio/asked.h"
+#include "studio/window.h"
+
+namespace karinui::studio {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// The right button on an edge that is sewn: the seam is opened along the zip, in one step.
+TEST(StudioFastenings, AZipInASeamByTheRightButton) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  for (const char* line : {"rectangle name=over width=20cm height=45cm", "rectangle name=under width=20cm height=45cm",
+                           "sew a=over.side_right b=under.side_left name=side"})
+    w.session().perform(*parseOperation(line)), w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Select);
+  const std::size_t before = w.count();
+  menuOn(w, "under", "side_left");
+  ASSERT_TRUE(choose(w, "Zip in seam side*")) << w.main().said().toStdString();
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(numbers.line("length").text(), "20 cm");
+    numbers.accept();
+  }
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), AllOf(StartsWith("fasten "), HasSubstr("unpick=yes")));
+  const Pattern& pattern = w.session().snapshot().document.pattern;
+  const auto side = std::find_if(pattern.seams.begin(), pattern.seams.end(),
+                                 [](const auto& seam) { return seam.second.name == "side"; });
+  ASSERT_NE(side, pattern.seams.end());
+  EXPECT_NEAR(length(pattern, side->second.a), 0.25, 1e-6);
+}
+
+// One edge chosen, the right button on the other; the same menu opens them again, and the edge's board tells of them.
+TEST(StudioFastenings, ButtonsBetweenTwoEdgesByTheRightButton) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  for (const char* line : {"rectangle name=over width=20cm height=45cm", "rectangle name=under width=20cm height=45cm"})
+    w.session().perform(*parseOperation(line)), w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Select);
+  const std::size_t before = w.count();
+  const auto chooseOver = [&] {
+    w.click(w.table(), w.onTable("over", findEdge(piece(w, "over"), "side_right")->curve.atFraction(0.4)));
+  };
+  chooseOver();
+  ASSERT_TRUE(w.session().selection().edge);
+  menuOn(w, "under", "side_left");
+  ASSERT_TRUE(choose(w, "Buttons or a zip with*")) << w.main().said().toStdString();
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(numbers.line("count").text(), "6");
+    numbers.type("spacing", "3");
+    EXPECT_EQ(numbers.said(), "") << "as many as there is room for";
+    EXPECT_TRUE(numbers.make().isEnabled());
+    numbers.line("spacing").clear();
+    EXPECT_LE(numbers.dialog->height(), w.main().screen()->availableGeometry().height()) << "its buttons are reached";
+    EXPECT_FALSE(numbers.dialog->findChild<OutlineDrawing*>()->isVisible());
+    auto* kind = numbers.dialog->findChild<QComboBox*>("kind");
+    kind->setCurrentIndex(kind->findText("Zip"));
+    EXPECT_EQ(numbers.said(), "") << "a zip is not told how many";
+    EXPECT_TRUE(numbers.make().isEnabled());
+    EXPECT_FALSE(numbers.line("count").isVisible());
+    EXPECT_TRUE(numbers.line("length").isVisible());
+    kind->setCurrentIndex(kind->findText("Hooks and eyes"));
+    EXPECT_TRUE(numbers.line("count").isVisible());
+    EXPECT_FALSE(numbers.line("length").isVisible());
+    EXPECT_FALSE(numbers.dialog->findChild<QWidget*>("size")->isVisible()) << "a hook has no diameter";
+    kind->setCurrentIndex(kind->findText("Button"));
+    numbers.type("count", "5");
+    numbers.accept();
+  }
+  ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("fasten "));
+  const Fastening& made = w.session().snapshot().document.allowances.fastenings.at("buttons");
+  EXPECT_EQ(made.at.size(), 5u);
+  EXPECT_EQ(made.closed, 5);
+  menuOn(w, "under", "side_left");
+  ASSERT_TRUE(choose(w, "Open buttons"));
+  EXPECT_EQ(w.session().snapshot().document.allowances.fastenings.at("buttons").closed, 0);
+  menuOn(w, "under", "side_left");
+  ASSERT_TRUE(choose(w, "Close some of buttons*"));
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(numbers.line("closed").text(), "0");
+    EXPECT_FALSE(numbers.dialog->findChild<QWidget*>("more")->isVisible()) << "what they are stays";
+    numbers.type("closed", "9");
+    EXPECT_NE(numbers.said(), "");
+    numbers.type("closed", "3");
+    numbers.accept();
+  }
+  EXPECT_EQ(w.session().snapshot().document.allowances.fastenings.at("buttons").closed, 3);
+  menuOn(w, "under", "side_left");
+  ASSERT_TRUE(choose(w, "Open buttons"));
+  chooseOver();
+  w.rest();
+  EXPECT_EQ(w.main().findChild<QLabel*>("edge_fastened")->text(), "5 buttonholes 1.40 cm");
+}
+
+}  // namespace
+}  // namespace karinui::studio
