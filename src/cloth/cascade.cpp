@@ -182,6 +182,8 @@ Result<std::optional<CascadeStart>> Cascade::descend(const CascadeStart& start) 
     if (!end.finite) return tornApart();
     addContactTimes(report, solver);
     sewn_ = solver.allTied();
+    if (settings_.giveUpCrossed && !ended() && !level.finest && solver.intersections() > 0)
+      givenUp_ = GivenUp{say("Garments that are draped at once stand through each other."), false, true};
     if (const auto anew = wentWrong(level, start)) return anew;
     if (!level.finest) {
       positions = solver.positions();
@@ -193,6 +195,7 @@ Result<std::optional<CascadeStart>> Cascade::descend(const CascadeStart& start) 
     if (givenUp_ && !stopped_) {
       report.why = givenUp_->why;
       report.throughBody = givenUp_->throughBody;
+      report.crossed = givenUp_->crossed;
     }
     if (!activation_.empty() && !ended())
       report.toActivate = activation_.piecesToActivate(forceBefore, forceAfter, positions, colliders_, settings_,

@@ -38,7 +38,7 @@ class Cascade {
  private:
   struct GivenUp {
     Message why;
-    bool throughBody = false;
+    bool throughBody = false, crossed = false;
   };
   struct Level;
 

@@ -55,7 +55,7 @@ Result<SettleReport> settle(std::vector<ClothLevel>& levels, const ColliderList&
     return report;
   }
   Cascade cascade(levels, colliders, settings, token, workers, watcher);
-  std::optional<CascadeStart> start = CascadeStart{standsFormed(finest)};
+  std::optional<CascadeStart> start = CascadeStart{!settings.fromCoarsest && standsFormed(finest)};
   while (start) {
     auto anew = cascade.descend(*start);
     if (!anew) return anew.error();

@@ -277,6 +277,7 @@ Result<DocumentFile::Inside::Worked> DocumentFile::Inside::work(const Step* pare
     if (last.stoppedAfter > 0) drape->stop = static_cast<int>(last.stoppedAfter);
     if (last.finer) drape->finer = true;
     if (last.insideLast) drape->insideLast = true;
+    if (last.dressed) drape->dressed = true;
   }
   step.chain = chained(parent ? parent->chain : std::string(), step.operation);
   step.before = parent ? parent->after : hash(before);

@@ -253,6 +253,8 @@ Result<DrapeOutcome> drapedOnce(const Document& document, const DrapePieces& dra
   settings.rested = document.drape.last && document.drape.last->settled && document.drape.force.empty();  // not pulled
   if (loop && loop->tight()) settings.sewnThinnerBy = sewnThinnerBy(*loop);
   settings.continueAfterRest = continueAfterRest;
+  settings.giveUpCrossed = context.giveUpCrossed;
+  settings.fromCoarsest = context.fromCoarsest;
   SettleWatcher watcher;
   if (onlooker)
     watcher = [&](const Cloth& cloth, const std::vector<Vec3>& places) {
@@ -266,12 +268,16 @@ Result<DrapeOutcome> drapedOnce(const Document& document, const DrapePieces& dra
 
 }  // namespace
 
+bool finerMayHelp(const Document& document, const SettleReport& report) {
+  // Without two coarse levels none would be left to notice the limb.
+  return !report.settled && report.throughBody && kWidest * document.settings.spacing <= kCoarsest;
+}
+
 Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
                                  const DrapeOnlooker& onlooker, bool continueAfterRest) {
   auto outcome = drapedOnce(document, drape, context, onlooker, continueAfterRest);
-  if (!outcome || outcome->report.settled || !outcome->report.throughBody) return outcome;
-  // A record says itself whether it began anew. Without two coarse levels none would be left to notice the limb.
-  if (context.recorded || drape.finer || drape.stop > 0 || kWidest * document.settings.spacing > kCoarsest)
+  // A record says itself whether it began anew.
+  if (!outcome || context.recorded || drape.finer || drape.stop > 0 || !finerMayHelp(document, outcome->report))
     return outcome;
   DrapePieces again = drape;
   again.finer = true;

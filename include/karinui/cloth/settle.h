@@ -32,6 +32,10 @@ struct SettleSettings {
   double sewnThinnerBy = 0;
   // Whether the cloth was at rest before it was changed here and there: it mostly rests again within a few short steps.
   bool rested = false;
+  // For garments that are draped together and may be draped one after another instead. The first is given up, and
+  // reports `crossed`, where a coarse level leaves cloth through cloth. The second begins on the coarsest level even if
+  // most of the cloth stands formed and sewn: what is new is to be sewn up about the rest.
+  bool giveUpCrossed = false, fromCoarsest = false;
   // A settle that is stopped carries the cloth to the finest level as it is, and reports stoppedAfter. With the same
   // number in stopAfter it stops at the same place, bit for bit.
   std::size_t stopAfter = 0;    // steps, counted over all levels; 0: not before it rests

@@ -47,7 +47,9 @@ struct SettleReport {
   StrainReport strain;
   bool finer = false;            // begun anew without the widest cells, by who settled. Not kept with a document.
   bool insideLast = false;       // facings and linings were laid in last. Not kept with a document.
+  bool dressed = false;          // garments were put on one after another. Not kept with a document.
   bool throughBody = false;      // given up, as the cloth was sewn up with a limb through it. Not kept with a document.
+  bool crossed = false;          // given up, as SettleSettings::giveUpCrossed asked for. Not kept with a document.
   std::size_t stoppedAfter = 0;  // of the steps below, where it was stopped; 0: it was not. Not kept with a document.
   // Pieces that were not live and should be: the force of what they are sewn to has changed by so much that they would
   // move. Told once, not kept with a document.

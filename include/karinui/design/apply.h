@@ -105,6 +105,8 @@ struct Context {
   // Shown the figure on its way to another pose, on the caller's thread; changes nothing of the outcome. Empty: nobody
   // looks.
   PoseOnlooker onPose = {};
+  // How a drape goes about it, as SettleSettings has it: asked for by drapes in stages.
+  bool giveUpCrossed = false, fromCoarsest = false;
 };
 
 Result<BodyPtr> bodyOf(const Document& document, Context& context);  // refused: no body chosen yet

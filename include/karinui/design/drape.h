@@ -20,6 +20,9 @@ using DrapeOnlooker = std::function<void(const FormsNow&)>;
 // `continueAfterRest`: as in SettleSettings.
 Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
                                  const DrapeOnlooker& onlooker = {}, bool continueAfterRest = false);
+// Whether a drape that was given up may come to rest without its widest cells: those had sewn cloth up with a limb
+// through it.
+bool finerMayHelp(const Document& document, const SettleReport& report);
 // What the report of a drape says of cloth that is too small: by how much (metres, to a centimetre) and where. Nothing:
 // it says something else.
 struct Shortage {

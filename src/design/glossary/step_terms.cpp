@@ -153,6 +153,7 @@ TermTable fieldTerms() {
       {"extra", say("Lap beyond the seam")},
       {"fabric", say("Fabric")},
       {"finish", say("Surface")},
+      {"dressed", say("Garments one after another")},
       {"finer", say("Sewn up in finer cells")},
       {"inside_last", say("Facings and linings laid in last")},
       {"first", say("From the end to the first")},

@@ -61,15 +61,6 @@ Vec3 normalAt(const Stand& stand, Flat place) {
 
 }  // namespace
 
-std::set<PieceId> laidLast(const Document& before, const DrapePieces& op, const Context& context) {
-  const std::set<PieceId> live = livePieces(before, op.live);
-  if (!op.insideLast && (context.recorded || op.stop > 0 || before.drape.last || live != livePieces(before, {})))
-    return {};
-  std::set<PieceId> inside = wornInsideOut(before.pattern);
-  std::erase_if(inside, [&](PieceId id) { return !live.contains(id); });
-  return inside.size() < live.size() ? inside : std::set<PieceId>();
-}
-
 std::optional<Document> laidInto(Document draped, const Document& before, const std::set<PieceId>& inside) {
   for (const PieceId id : inside) {
     const auto was = standingOf(before, beneathWhich(before.pattern, id, inside));

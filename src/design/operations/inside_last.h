@@ -8,10 +8,6 @@
 
 namespace karinui {
 
-// What is laid in last: nothing where the garment was draped before, where not all of it is draped, in a record that
-// does not say so, or where there is nothing else.
-std::set<PieceId> laidLast(const Document& before, const DrapePieces& op, const Context& context);
-
 // `draped`, in which all but `inside` was draped since `before`, with those where they lie in it: each of their places
 // goes along with the nearest place of what they are sewn to. Nothing where one stands too far from that.
 std::optional<Document> laidInto(Document draped, const Document& before, const std::set<PieceId>& inside);

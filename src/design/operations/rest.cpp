@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "design/operations/inside_last.h"
+#include "design/operations/dressing.h"
 
 namespace karinui {
 
@@ -60,47 +60,6 @@ void tellFallen(const Document& before, const DrapeOutcome& outcome, const Conte
   }
 }
 
-Result<DrapeOutcome> draped(const Document& document, const DrapePieces& op, Context& context) {
-  return context.drape ? context.drape(document, op, context) : drapeOnBody(document, op, context);
-}
-
-// Facings and linings are laid into the garment when the rest of it hangs. Nothing where that does not come to rest,
-// or where they do not lie by it.
-std::optional<Result<DrapeOutcome>> drapedInsideLast(const Document& before, const DrapePieces& op,
-                                                     const std::set<PieceId>& last, Context& context) {
-  RemovePieces without;
-  for (const PieceId id : last) without.pieces.emplace_back(id);
-  without.seams = Choice::Yes;
-  const auto rest = perform(before, without, context);
-  if (!rest) return rest.error();
-  DrapePieces first = op;
-  std::erase_if(first.live, [&](const PieceRef& ref) { return last.contains(ref.id); });
-  auto outer = draped(*rest, first, context);
-  if (!outer) return outer;
-  const bool stopped = outer->report.stoppedAfter > 0;
-  if (!outer->report.settled && !stopped) return std::nullopt;
-  const auto laid = laidInto(adopted(before, *outer), before, last);
-  if (!laid) return std::nullopt;
-  outer->report.insideLast = true;
-  if (stopped) {
-    for (const PieceId id : last) outer->forms[id] = laid->find(id)->form;
-    return outer;
-  }
-  DrapePieces second = op;
-  second.finer = false;
-  if (op.stop > 0) second.stop = std::max(1, op.stop - static_cast<int>(outer->report.steps));
-  auto whole = draped(*laid, second, context);
-  if (!whole) return whole;
-  SettleReport& report = whole->report;
-  const SettleReport& sewnUp = outer->report;
-  report.insideLast = true, report.finer = sewnUp.finer;
-  if (report.stoppedAfter > 0) report.stoppedAfter += sewnUp.steps;
-  report.steps += sewnUp.steps, report.solves += sewnUp.solves;
-  report.fineSteps += sewnUp.fineSteps, report.fineSolves += sewnUp.fineSolves;
-  report.cpuSeconds += sewnUp.cpuSeconds, report.wallSeconds += sewnUp.wallSeconds;
-  return whole;
-}
-
 }  // namespace
 
 Done resolve(const Document& before, DrapePieces& op, Context&) {
@@ -110,13 +69,10 @@ Done resolve(const Document& before, DrapePieces& op, Context&) {
 }
 
 Result<Document> perform(const Document& before, const DrapePieces& op, Context& context) {
-  const std::set<PieceId> last = laidLast(before, op, context);
-  std::optional<Result<DrapeOutcome>> outcome;
-  if (!last.empty()) outcome = drapedInsideLast(before, op, last, context);
-  if (!outcome) outcome = draped(before, op, context);
-  if (!*outcome) return outcome->error();
-  if (context.advise) tellFallen(before, **outcome, context);
-  return adopted(before, **outcome);
+  const Result<DrapeOutcome> outcome = draped(before, op, context);
+  if (!outcome) return outcome.error();
+  if (context.advise) tellFallen(before, *outcome, context);
+  return adopted(before, *outcome);
 }
 
 Done resolve(const Document& before, PullCloth& op, Context&) {

@@ -16,7 +16,7 @@ struct DrapePieces {
   std::vector<PieceRef> live;
   Vec3 gravity{0, -9.81, 0};
   int stop = 0;
-  bool finer = false, insideLast = false;
+  bool finer = false, insideLast = false, dressed = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("live", self.live, "the pieces that move (otherwise every piece that is not frozen)", kOptional);
@@ -30,6 +30,10 @@ struct DrapePieces {
     visit("inside_last", self.insideLast,
           "yes: facings and linings are laid in when the rest hangs; recorded where that was so, as the first time a "
           "garment is draped",
+          kOptional);
+    visit("dressed", self.dressed,
+          "yes: garments are put on one after another, the lowest layer first; recorded where that was so, as the first "
+          "time several are draped",
           kOptional);
   }
   bool operator==(const DrapePieces&) const = default;

@@ -1,0 +1,176 @@
+#include "design/operations/dressing.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "design/operations/inside_last.h"
+#include "design/operations/stood_off.h"
+#include "karinui/pattern/facing.h"
+
+namespace karinui {
+
+namespace {
+
+struct Stage {
+  std::set<PieceId> pieces;  // those that are added
+  bool inside = false;       // facings and linings, to be laid into what hangs
+};
+
+// What hangs together by seams and fastenings, the lowest layer first, then as it was made.
+std::vector<std::set<PieceId>> garmentsOf(const Document& document, std::set<PieceId> live) {
+  std::vector<std::pair<int, std::set<PieceId>>> garments;
+  while (!live.empty()) {
+    std::set<PieceId> own;
+    int layer = document.find(*live.begin())->layer;
+    for (const PieceId id : hangTogether(document, *live.begin()))
+      if (live.erase(id) > 0) own.insert(id), layer = std::min(layer, document.find(id)->layer);
+    garments.emplace_back(layer, std::move(own));
+  }
+  std::stable_sort(garments.begin(), garments.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::set<PieceId>> ordered;
+  for (auto& [layer, own] : garments) ordered.push_back(std::move(own));
+  return ordered;
+}
+
+std::vector<Stage> stagesOf(const Document& before, const DrapePieces& op) {
+  const std::set<PieceId> live = livePieces(before, op.live);
+  const std::set<PieceId> insideOut = op.insideLast ? wornInsideOut(before.pattern) : std::set<PieceId>();
+  std::vector<Stage> stages;
+  for (std::set<PieceId>& garment : op.dressed ? garmentsOf(before, live) : std::vector{live}) {
+    Stage inside{{}, true};
+    for (const PieceId id : garment)
+      if (insideOut.contains(id)) inside.pieces.insert(id);
+    if (inside.pieces.size() == garment.size()) inside.pieces.clear();
+    for (const PieceId id : inside.pieces) garment.erase(id);
+    stages.push_back({std::move(garment), false});
+    if (!inside.pieces.empty()) stages.push_back(std::move(inside));
+  }
+  return stages;
+}
+
+// How far a drape in stages is by the number of points that are draped in each.
+std::vector<double> sharesOf(const Document& document, const std::vector<Stage>& stages) {
+  std::vector<double> until;
+  double worn = 0, sum = 0;
+  for (const Stage& stage : stages) {
+    for (const PieceId id : stage.pieces) worn += document.find(id)->outline.area();
+    until.push_back(sum += worn);
+  }
+  for (double& share : until) share /= sum;
+  return until;
+}
+
+void add(SettleReport& sum, const SettleReport& stage) {
+  sum.steps += stage.steps, sum.solves += stage.solves;
+  sum.fineSteps += stage.fineSteps, sum.fineSolves += stage.fineSolves;
+  sum.cpuSeconds += stage.cpuSeconds, sum.wallSeconds += stage.wallSeconds;
+}
+
+Result<DrapeOutcome> drapedNow(const Document& document, const DrapePieces& op, Context& context) {
+  return context.drape ? context.drape(document, op, context) : drapeOnBody(document, op, context);
+}
+
+// Nothing where that does not go: a garment is too small, or what is to be laid in does not lie by the rest.
+std::optional<Result<DrapeOutcome>> inStages(const Document& before, const DrapePieces& op,
+                                             const std::vector<Stage>& stages, Context& context) {
+  const auto body = bodyOf(before, context);
+  if (!body) return body.error();
+  const std::vector<double> until = sharesOf(before, stages);
+  Document now = before;  // all of it, as far as it hangs
+  std::set<PieceId> worn, waiting = livePieces(before, op.live);
+  SettleReport sum;
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    const Stage& stage = stages[k];
+    const bool last = k + 1 == stages.size(), beforeInside = !last && stages[k + 1].inside;
+    if (!stage.inside) now = stoodOff(std::move(now), stage.pieces, worn, **body);
+    for (const PieceId id : stage.pieces) worn.insert(id), waiting.erase(id);
+    DrapePieces own = op;
+    std::erase_if(own.live, [&](const PieceRef& ref) { return waiting.contains(ref.id); });
+    own.finer = op.finer && !stage.inside;
+    if (op.stop > 0) own.stop = std::max(1, op.stop - static_cast<int>(sum.steps));
+    RemovePieces without;
+    for (const PieceId id : waiting) without.pieces.emplace_back(id);
+    without.seams = Choice::Yes;
+    const Result<Document> part = perform(now, without, context);
+    if (!part) return part.error();
+    const Token token(context.token, k > 0 ? until[k - 1] : 0, until[k]);
+    Context staged{context.workers, token,        context.blobs,  context.bodies,
+                   context.drape,   context.pull, context.advise, context.stop};
+    staged.recorded = true;  // whether cells are finer is decided for all stages together
+    staged.giveUpCrossed = context.giveUpCrossed && k == 0;
+    staged.fromCoarsest = k > 0 && !stage.inside;
+    auto outcome = drapedNow(*part, own, staged);
+    if (!outcome) return outcome;
+    SettleReport& report = outcome->report;
+    const bool stopped = report.stoppedAfter > 0;
+    if (report.crossed) return std::nullopt;
+    if (!context.recorded && !op.finer && !stopped && finerMayHelp(before, report)) {
+      DrapePieces again = op;
+      again.finer = true;
+      return inStages(before, again, stages, context);
+    }
+    if (!report.settled && !stopped && !last && (beforeInside || report.steps == 0)) return std::nullopt;
+    now = adopted(std::move(now), *outcome);
+    if (stopped) report.stoppedAfter += sum.steps;
+    add(sum, report);
+    if (beforeInside) {
+      auto laid = laidInto(now, before, stages[k + 1].pieces);
+      if (!laid) return std::nullopt;
+      now = *std::move(laid);
+      if (stopped)
+        for (const PieceId id : stages[k + 1].pieces) outcome->forms[id] = now.find(id)->form;
+    }
+    if (!last && !stopped) continue;
+    report.steps = sum.steps, report.solves = sum.solves;
+    report.fineSteps = sum.fineSteps, report.fineSolves = sum.fineSolves;
+    report.cpuSeconds = sum.cpuSeconds, report.wallSeconds = sum.wallSeconds;
+    const auto inside = [](const Stage& one) { return one.inside; };
+    report.finer = op.finer;
+    report.insideLast = std::any_of(stages.begin(), stages.end(), inside);
+    report.dressed = std::count_if(stages.begin(), stages.end(), std::not_fn(inside)) > 1;
+    return outcome;
+  }
+  return std::nullopt;
+}
+
+// As `way` says; nothing where that does not go.
+std::optional<Result<DrapeOutcome>> attempted(const Document& before, const DrapePieces& way, Context& context,
+                                              bool giveUpCrossed = false) {
+  const std::vector<Stage> stages = stagesOf(before, way);
+  Context own = context;
+  own.giveUpCrossed = giveUpCrossed;
+  if (stages.size() > 1) return inStages(before, way, stages, own);
+  if (way.dressed || way.insideLast) return std::nullopt;
+  auto outcome = drapedNow(before, way, own);
+  if (outcome && outcome->report.crossed) return std::nullopt;
+  return outcome;
+}
+
+// The ways in which a drape that is new is tried, until one goes: all garments at once, which is soonest done; one
+// after another; facings and linings with the rest.
+std::optional<Result<DrapeOutcome>> drapedFirst(const Document& before, const DrapePieces& op, Context& context) {
+  const bool several = garmentsOf(before, livePieces(before, op.live)).size() > 1;
+  DrapePieces way = op;
+  way.insideLast = !wornInsideOut(before.pattern).empty();
+  way.dressed = false;
+  if (auto outcome = attempted(before, way, context, several)) return outcome;
+  way.dressed = true;
+  if (auto outcome = several ? attempted(before, way, context) : std::nullopt) return outcome;
+  way.insideLast = false;
+  return several ? attempted(before, way, context) : std::nullopt;
+}
+
+}  // namespace
+
+Result<DrapeOutcome> draped(const Document& before, const DrapePieces& op, Context& context) {
+  const bool first = !context.recorded && !op.dressed && !op.insideLast && op.stop == 0 && !before.drape.last &&
+                     livePieces(before, op.live) == livePieces(before, {});
+  if (auto outcome = first ? drapedFirst(before, op, context) : attempted(before, op, context))
+    return *std::move(outcome);
+  DrapePieces atOnce = op;
+  atOnce.dressed = atOnce.insideLast = false;
+  return drapedNow(before, atOnce, context);
+}
+
+}  // namespace karinui
