@@ -61,7 +61,7 @@ void FittingRoom::dropHands() {
   GrabLocomotion none;
   grip_ = none;
   boardDown_ = false;
-  toolBefore_ = otherBefore_ = {};
+  handsBack_ = true;
   if (session_.begun()) session_.command(Command::Cancel);
   session_.leave();
   haptics_.reset();
@@ -74,8 +74,9 @@ void FittingRoom::buttons(const ControllerState& tool, const ControllerState& ot
   if (struck(tool.cancel, toolBefore_.cancel)) session_.command(Command::Cancel);
   if (struck(other.confirm, otherBefore_.confirm)) session_.command(Command::Undo);
   if (struck(other.cancel, otherBefore_.cancel)) session_.command(Command::Redo);
-  if (struck(tool.scaleSwitch, toolBefore_.scaleSwitch) || struck(other.scaleSwitch, otherBefore_.scaleSwitch))
-    changeScale_ = true;
+  const bool leap =
+      struck(tool.scaleSwitch, toolBefore_.scaleSwitch) || struck(other.scaleSwitch, otherBefore_.scaleSwitch);
+  if (leap && !dragging()) changeScale_ = true;  // or what is held would be thrown
 }
 
 // The other hand's stick: up and down is the height, a push aside turns the body.
@@ -156,12 +157,14 @@ void FittingRoom::step(const Rigid& head, const Hands& hands, double seconds) {
   const double passed = begun_ ? std::clamp(seconds - before_, 0.0, 0.1) : 0;
   before_ = seconds, begun_ = true;
   session_.update();
+  const ControllerState &tool = hands[toolSide()], &other = hands[1 - toolSide()];
+  if (std::exchange(handsBack_, false)) toolBefore_ = tool, otherBefore_ = other;
   if (!placed_) {
+    if (dragging()) dropHands();
     placement_ = placedBefore(head, options_.scale, options_.posture);
     anchor_.place(head);
     placed_ = true;
   }
-  const ControllerState &tool = hands[toolSide()], &other = hands[1 - toolSide()];
   anchor_.follow(head, seconds, session_.begun() || input_.down() || overBoard_ || choice_.has_value());
 
   const bool moved = grip_.follow(placement_, {tool.tracked && toolGrip_.follow(tool.hold), tool.grip.carry},
@@ -189,8 +192,7 @@ void FittingRoom::step(const Rigid& head, const Hands& hands, double seconds) {
   takeView(head);
   hangChoice(head);
   takeNotices(seconds);
-  if (tool.tracked) toolBefore_ = tool;
-  if (other.tracked) otherBefore_ = other;
+  toolBefore_ = tool, otherBefore_ = other;  // out of sight, too: their buttons still tell
 }
 
 std::array<std::vector<HapticPulse>, 2> FittingRoom::takeHapticPulses() { return std::exchange(pulses_, {}); }

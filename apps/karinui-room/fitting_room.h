@@ -75,6 +75,7 @@ class FittingRoom {
 
  private:
   std::size_t toolSide() const { return options_.left ? kLeft : kRight; }
+  bool dragging() const { return input_.down() && session_.begun(); }
   void buttons(const ControllerState& tool, const ControllerState& other);
   void sticks(const ControllerState& other, double passed);
   void point(const Rigid& head, const ControllerState& tool, const ControllerState& other, double seconds);
@@ -102,6 +103,7 @@ class FittingRoom {
   std::array<HandShown, 2> shown_;
   std::array<std::vector<HapticPulse>, 2> pulses_;
   ControllerState toolBefore_, otherBefore_;
+  bool handsBack_ = true;   // what they press now was pressed before
   bool boardDown_ = false;  // the trigger was pressed on a board of ours
   bool overBoard_ = false;  // the last sample was on one
   std::optional<std::size_t> hotStrip_, hotChoice_;

@@ -290,6 +290,56 @@ TEST(RoomBoards, SticksAndButtonsMoveTheFitting) {
   EXPECT_EQ(session.steps().size(), 1u);
 }
 
+// A controller out of sight still tells of its buttons.
+TEST(RoomBoards, AButtonActsOnceThoughItsHandIsOutOfSight) {
+  TwoSquares at;
+  const std::size_t steps = at.session.steps().size();
+  at.hand.other().tracked = false, at.hand.hold(2);
+  at.hand.other().confirm = true, at.hand.hold(20);
+  EXPECT_EQ(at.session.steps().size(), steps - 1) << "one undo for one press";
+  at.hand.other().tracked = true, at.hand.hold(5);
+  EXPECT_EQ(at.session.steps().size(), steps - 1) << "nor again when it is seen";
+  at.hand.other().confirm = false, at.hand.hold(2);
+  at.hand.other().cancel = true, at.hand.hold(20), at.hand.other().cancel = false, at.hand.hold(2);
+  EXPECT_EQ(at.session.steps().size(), steps);
+  // What was held when the hands went and is still held when they are back was pressed before.
+  at.hand.other().confirm = true, at.hand.hold(2);
+  EXPECT_EQ(at.session.steps().size(), steps - 1);
+  at.room.dropHands();
+  at.hand.hold(5);
+  EXPECT_EQ(at.session.steps().size(), steps - 1);
+}
+
+// A piece in the hand is not thrown by what moves the room all at once.
+TEST(RoomBoards, ALeapOfTheRoomThrowsNothingThatIsHeld) {
+  TwoSquares at;
+  const auto held = [&] {
+    const PieceId one = at.session.snapshot().document.pieceNamed("one")->id;
+    const Vec3 from = *spaceOf(at.session.snapshot(), one, {0.08, 0.07});
+    at.hand.touchAt(from), at.hand.hold(3), at.hand.trigger(1);
+    at.hand.touchAt(from + Vec3{0.01, 0.05, 0}), at.hand.hold(3);
+    EXPECT_TRUE(at.session.begun());
+  };
+  at.hand.choose(Command::Move);
+  held();
+  const std::size_t steps = at.session.steps().size();
+  at.hand.press(&ControllerState::scaleSwitch);  // as a thumb does that rests on the stick
+  EXPECT_EQ(at.room.scale(), Scale::One);
+  at.hand.trigger(0);
+  ASSERT_EQ(at.session.steps().size(), steps + 1);
+  const auto* move = std::get_if<MovePiece>(&at.session.steps().back().operation);
+  ASSERT_TRUE(move);
+  EXPECT_LT(length(move->by), 0.06) << text(at.session.steps().back().operation);
+  // The runtime's own place may change at any time: then the drag is dropped.
+  held();
+  at.hand.person.head.carry = {0.4, 1.6, 0.3};
+  at.room.placeAnew();
+  at.hand.hold(3);
+  EXPECT_FALSE(at.session.begun());
+  at.hand.trigger(0);
+  EXPECT_EQ(at.session.steps().size(), steps + 1);
+}
+
 TEST(RoomBoards, RefusalsAreReadForAWhileInTheAir) {
   Session session;
   perform(session, "body size=jis9ar");
