@@ -46,6 +46,15 @@ bool reaches(const TriangleMesh& mesh, Vec3 centre, double radius) {
   return distance(inside, centre) <= radius;
 }
 
+// Whether what stops the tip lies on skin through which the tip is pressed.
+bool pressedIn(const Body* body, Vec3 tip, std::optional<Vec3> proxy) {
+  if (!body || !proxy) return false;
+  const double deep = distance(*proxy, tip);
+  if (!(deep > 0)) return false;
+  const auto skin = body->bvh().first(*proxy, (tip - *proxy) * (1 / deep));
+  return skin && skin->along < deep;
+}
+
 // The threads of the cloth nearest to the tip, by the triangle there: how the paper's directions lie in space.
 void addWeave(TouchScene& scene, const Bvh& tree, const SceneCloth& cloth, const Piece& piece, const Fabric& fabric,
               double& nearest) {
@@ -130,6 +139,8 @@ TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handlin
   scene.clicks = handling.clicks;
   if (handling.still) return scene;
   if (snapshot.body) addNear(scene, proxy, snapshot.body->bvh(), snapshot.body->mesh(), false);
+  // Cloth on skin stops the tip however deep that is pressed; cloth that hangs free lets a hand go that is led away.
+  const std::optional<Vec3> stopped = pressedIn(snapshot.body.get(), tip, proxy) ? proxy : std::nullopt;
   double friction = 0, nearest = kWeaveReach;
   for (std::size_t k = 0; k < snapshot.worn.size(); ++k) {
     const PieceId id = snapshot.worn[k].id;
@@ -147,8 +158,10 @@ TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handlin
     if (handling.cut == id) scene.cutting = kCutResistance * fabric->thickness;
     const std::size_t before = scene.facets.size();
     const SceneCloth& cloth = snapshot.frame.cloths[k];
-    if (cloth.mesh.faces.empty() || !reaches(cloth.mesh, tip, radius)) continue;  // its tree is not built for that
-    addNear(scene, {}, **snapshot.worn[k].tree, cloth.mesh, true);
+    if (cloth.mesh.faces.empty() ||
+        !(reaches(cloth.mesh, tip, radius) || (stopped && reaches(cloth.mesh, *stopped, radius))))
+      continue;  // its tree is not built for that
+    addNear(scene, stopped, **snapshot.worn[k].tree, cloth.mesh, true);
     addWeave(scene, **snapshot.worn[k].tree, cloth, *piece, *fabric, nearest);
     if (scene.facets.size() > before) friction = std::max(friction, fabric->frictionBody);
   }

@@ -114,6 +114,38 @@ TEST(TouchScene, HoldsTheSkinThatStopsADeepTip) {
   }
 }
 
+// Pressed through a garment deep into the body and drawn back, a tip comes out where it went in: the cloth does not let
+// it through to hold it from the inside. Cloth that hangs free lets go of a hand that is led away.
+TEST(TouchScene, ClothOnTheBodyIsNotPokedThrough) {
+  Session session;
+  for (const char* line :
+       {"body size=jis9ar",
+        "draw name=front line=\"torso:waist@0.1; torso:bust@0.1; torso:bust@0.9; torso:waist@0.9\""}) {
+    session.perform(*parseOperation(line));
+    session.finish();
+  }
+  const GarmentSnapshot& worn = session.snapshot();
+  const auto skin = worn.body->bvh().first({0.02, 1.12, 1}, {0, 0, -1});
+  ASSERT_TRUE(skin);
+  TouchEvaluator evaluator;
+  std::optional<Vec3> proxy;
+  double deepest = 0;
+  const auto feel = [&](double above) {  // the skin
+    const Vec3 tip{0.02, 1.12, 1 - skin->along + above};
+    const TouchForces forces = evaluator.evaluate(touchSceneOf(worn, tip, {}, proxy), record(), {}, tip, {});
+    proxy = forces.touching ? std::optional(forces.proxy) : std::nullopt;
+    deepest = std::max(deepest, forces.contact.z);
+    return forces.contact.z;
+  };
+  for (double above = 0.05; above > -0.12; above -= 0.002) feel(above);
+  EXPECT_GT(deepest, 40) << "400 N/m and 12 cm";
+  for (double above = -0.12; above < 0.05; above += 0.002) EXPECT_GE(feel(above), -1e-9) << above;
+
+  Given given;
+  const Vec3 on = Stand(given.front())({0.2, 0.2});
+  EXPECT_TRUE(touchSceneOf(given.snapshot(), on + Vec3{0, 0, 0.1}, {}, on).facets.empty());
+}
+
 // --- what a session says of the gesture in hand
 
 PointerSample stylus(PointerSample::Phase phase, Vec3 tip, double seconds = 0) {

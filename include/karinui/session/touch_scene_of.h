@@ -32,7 +32,8 @@ struct Handling {
 inline constexpr double kPatchRadius = 0.06;  // metres: more than a hand goes between two scenes
 
 // `proxy`: where the tip is stopped while it touches something; the skin there is in the scene, too, however deep the
-// tip is. Cloth is held around the tip alone: a hand that is led away from it is not held back.
+// tip is, and the cloth on it. Cloth that hangs free is held around the tip alone: a hand that is led away from it is
+// not held back.
 TouchScene touchSceneOf(const GarmentSnapshot& snapshot, Vec3 tip, const Handling& handling = {},
                         std::optional<Vec3> proxy = {}, double radius = kPatchRadius);
 
