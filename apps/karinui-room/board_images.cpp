@@ -81,6 +81,24 @@ void drawIcon(Image& image, std::string_view name, double left, double top, doub
 
 }  // namespace
 
+void liftClear(Board& board, const std::vector<Board>& others) {
+  const double wide = length(board.across), high = length(board.upward);
+  if (!(wide > 0 && high > 0)) return;
+  const Vec3 right = board.across * (1 / wide), up = board.upward * (1 / high);
+  for (std::size_t again = 0; again <= others.size(); ++again) {
+    double most = 0;
+    for (const Board& other : others) {
+      const Vec3 from =
+          board.corner + (board.across + board.upward) * 0.5 - other.corner - (other.across + other.upward) * 0.5;
+      if (std::fabs(dot(from, right)) >= (wide + length(other.across)) / 2) continue;
+      const double between = (high + length(other.upward)) / 2, above = dot(from, up);
+      if (std::fabs(above) < between * 0.999) most = std::max(most, between - above);
+    }
+    if (most <= 0) return;
+    board.corner += up * most;
+  }
+}
+
 std::vector<std::string> broken(Lettering& lettering, const std::string& utf8, double pixels, double letterPixels) {
   std::vector<std::string> lines;
   std::string line, word;

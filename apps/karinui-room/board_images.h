@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "karinui/scene/overlay.h"
+#include "karinui/view/boards.h"
 #include "karinui/view/image.h"
 #include "karinui/view/lettering.h"
 
@@ -43,6 +44,9 @@ class BoardImages {
   Lettering lettering_;
   std::map<std::string, Kept> kept_;
 };
+
+// Moves a board that faces the eye up until it is clear of the others.
+void liftClear(Board& board, const std::vector<Board>& others);
 
 // A line of text broken where it becomes wider than `pixels`: at spaces, else (Japanese) between letters.
 std::vector<std::string> broken(Lettering& lettering, const std::string& utf8, double pixels, double letterPixels);

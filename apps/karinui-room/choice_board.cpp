@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kNear = 0.8;    // of the way to what it is about
 constexpr double kHigh = 0.055;  // of its distance: an item
-constexpr double kWide = 0.62;   // of its distance
 
 double rowsOf(std::size_t items, std::size_t columns) {
   return static_cast<double>(std::max<std::size_t>(1, (items + columns - 1) / columns));
@@ -16,12 +15,13 @@ double rowsOf(std::size_t items, std::size_t columns) {
 
 }  // namespace
 
-Choice choiceBefore(Vec3 eyes, Vec3 about, double scale, std::size_t items, std::size_t columns, double beside) {
+Choice choiceBefore(Vec3 eyes, Vec3 about, double scale, std::size_t items, std::size_t columns, double beside,
+                    double wide) {
   const Vec3 way = about - eyes;
   const double near = kNear * std::clamp(length(way), 0.3 / scale, 2.5 / scale);
   const Vec3 ahead = normalized(way), right = normalized(cross(ahead, Vec3{0, 1, 0})), up = cross(right, ahead);
   Choice choice;
-  choice.panel.across = right * (near * kWide);
+  choice.panel.across = right * (near * wide);
   choice.panel.upward = up * (near * kHigh * rowsOf(items, columns));
   choice.panel.corner = eyes + ahead * near + right * (beside * near) - choice.panel.upward * 0.5;
   return choice;

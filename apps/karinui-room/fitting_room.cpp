@@ -16,7 +16,6 @@ constexpr std::size_t kMostRead = 3;   // sentences at once
 constexpr double kMenuFar = 0.62;      // metres from the eyes to the menu
 constexpr double kMenuTanHalf = 0.42;  // of the picture it is hung into,
 constexpr double kMenuAspect = 0.70;   // and that picture's width
-constexpr double kMenuBelow = 0.10;    // metres its middle hangs below the eyes
 constexpr double kMenuAside = 0.45;    // radians from straight ahead to its middle
 constexpr double kStickDead = 0.25, kStickTurns = 0.7;
 constexpr double kRise = 0.35;                       // metres a second, the stick all the way
@@ -32,7 +31,8 @@ FittingRoom::FittingRoom(Session& session, RoomOptions options) : session_(sessi
 Viewpoint FittingRoom::menuViewpoint() const {
   // The session hangs its bar at the right edge of a picture: this picture is turned so that the edge is at the
   // tool hand's side, an arm's length away, and a little below the eyes.
-  const double far = kMenuFar / 0.62;  // the session hangs it at this share of the distance (session/menu.cpp)
+  const double far =
+      menuNear_ * kMenuFar / 0.62;  // the session hangs it at this share of the distance (session/menu.cpp)
   const double edge = std::atan2(kMenuTanHalf * kMenuAspect * kMenuFar * 0.72, kMenuFar);
   const double heading = anchor_.heading() - (options_.left ? -kMenuAside : kMenuAside) + edge;
   const double back = heading - placement_.heading - placement_.turn;
@@ -135,7 +135,11 @@ void FittingRoom::point(const Rigid& head, const ControllerState& tool, const Co
 void FittingRoom::takeNotices(double seconds) {
   std::erase_if(captions_, [&](const Caption& caption) { return caption.until < seconds; });
   if (session_.takeAsked()) session_.refuse(badInput(info(session_.tool()).hint));  // nothing is typed here
-  for (Notice& notice : session_.takeNotices()) captions_.push_back({std::move(notice), seconds + kRead});
+  for (Notice& notice : session_.takeNotices()) {
+    const std::string said = text(notice.what);  // once, however often
+    std::erase_if(captions_, [&](const Caption& caption) { return text(caption.notice.what) == said; });
+    captions_.push_back({std::move(notice), seconds + kRead});
+  }
   if (captions_.size() > kMostRead)
     captions_.erase(captions_.begin(), captions_.end() - static_cast<std::ptrdiff_t>(kMostRead));
 }
@@ -165,7 +169,8 @@ void FittingRoom::step(const Rigid& head, const Hands& hands, double seconds) {
     anchor_.place(head);
     placed_ = true;
   }
-  anchor_.follow(head, seconds, session_.begun() || input_.down() || overBoard_ || choice_.has_value());
+  const bool kept = input_.down() || overBoard_ || choice_.has_value();
+  anchor_.follow(head, seconds, kept);
 
   const bool moved = grip_.follow(placement_, {tool.tracked && toolGrip_.follow(tool.hold), tool.grip.carry},
                                   {other.tracked && otherGrip_.follow(other.hold), other.grip.carry});
@@ -178,6 +183,7 @@ void FittingRoom::step(const Rigid& head, const Hands& hands, double seconds) {
   if (!session_.begun() && tableOf_ != session_.changes().garment)
     table_ = patternTableFor(session_, options_.left), tableOf_ = session_.changes().garment;
   session_.setViewpoint(menuViewpoint());
+  if (!kept) hangMenuClear();
   for (const std::size_t side : {kLeft, kRight}) {
     const ControllerState& hand = hands[side];
     shown_[side] = {};

@@ -16,6 +16,8 @@
 
 namespace karinui::room {
 
+inline constexpr double kMenuBelow = 0.10;  // metres the menu's middle hangs below the eyes
+
 struct RoomOptions {
   Scale scale = Scale::One;
   bool left = false;  // the left hand holds the tool; menu and table change sides
@@ -69,6 +71,9 @@ class FittingRoom {
   const std::optional<Choice>& choice() const { return choice_; }
   const std::vector<Caption>& captions() const { return captions_; }
   Viewpoint menuViewpoint() const;  // in the fitting
+  // How near to eyes that are there a board has to hang to stand before the figure and not in it or behind it: a share
+  // of the way. All in the stand.
+  double clearShare(Vec3 eyes, Vec3 corner, Vec3 across, Vec3 upward) const;
 
   // --- to be felt, since the last call: for the left and the right controller
   std::array<std::vector<HapticPulse>, 2> takeHapticPulses();
@@ -82,11 +87,13 @@ class FittingRoom {
   bool onBoards(const PointerSample& sample);  // then it is not for the session
   void perform(const Offer& offer);
   void pressOnChoice(std::size_t item);
+  void pressOnNumber(const DropMenu& menu, std::size_t button);
   void changeScale(const Rigid& head);
   void keep();
   void hangChoice(const Rigid& head);
   void takeNotices(double seconds);
   void takeView(const Rigid& head);
+  void hangMenuClear();
   PointerSample inStand(PointerSample sample) const;
 
   Session& session_;
@@ -110,8 +117,9 @@ class FittingRoom {
   std::optional<Choice> choice_;
   std::optional<RoomCommand> list_;      // that was opened; what is to be chosen of a seam goes before it
   std::optional<RoomCommand> choiceOf_;  // the list that hangs as the choice; none: what a seam needs
+  std::optional<double> number_;         // that is turned up and down instead of typed
   std::vector<Caption> captions_;
-  double vignette_ = 0, before_ = 0;
+  double vignette_ = 0, before_ = 0, menuNear_ = 1;  // a share of the menu's distance
   bool begun_ = false;
 };
 

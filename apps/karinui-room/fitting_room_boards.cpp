@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "fitting_room.h"
+#include "karinui/base/number.h"
 #include "panel_hit.h"
 
 namespace karinui::room {
@@ -11,10 +12,13 @@ using Phase = PointerSample::Phase;
 
 namespace {
 
-constexpr Vec3 kListAt{0, -0.12, -1};  // metres from the eyes: what a list hangs before
-constexpr double kListLeft = -0.37,
-                 kListRight = -0.25;                  // its left edge (kBeside): beside the words, clear of the strip
-constexpr std::size_t kColumn = 8, kMostColumns = 3;  // items of a column: a higher board covers the strip
+constexpr Vec3 kListAt{0, -0.12, -1};                    // metres from the eyes: what a list hangs before
+constexpr double kListWide = 0.46;                       // of its distance
+constexpr double kListLeft = -0.21, kListRight = -0.25;  // its left edge (kBeside): clear of the words and the strip
+constexpr double kRatioStep = 0.25, kLengthStep = 1;     // a press turns a number by so much
+constexpr double kWorn = 0.08;                           // metres of the fitting that cloth stands off the figure
+constexpr double kNearest = 0.28;                        // metres from the eyes: no board hangs nearer
+constexpr std::size_t kColumn = 8, kMostColumns = 3;     // items of a column: a higher board covers the strip
 
 std::string dayNow() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -25,6 +29,41 @@ std::string dayNow() {
 }
 
 }  // namespace
+
+double FittingRoom::clearShare(Vec3 eyes, Vec3 corner, Vec3 across, Vec3 upward) const {
+  const BodyPtr& body = session_.snapshot().body;
+  if (!body) return 1;
+  constexpr int kSteps = 4;
+  const Vec3 from = placement_.standToFitting(eyes);
+  double share = 1;
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; j <= kSteps; ++j) {
+      const Vec3 to = placement_.standToFitting(corner + across * (1.0 * i / kSteps) + upward * (1.0 * j / kSteps));
+      const double far = distance(from, to);
+      if (!(far > 0)) continue;
+      const auto met = body->bvh().first(from, (to - from) * (1 / far));
+      if (met && met->along < far + kWorn) share = std::min(share, (met->along - kWorn) / far);
+    }
+  const double middle = distance(eyes, corner + (across + upward) * 0.5);
+  return std::clamp(share, std::min(1.0, kNearest / (placement_.scale * std::max(middle, 1e-6))), 1.0);
+}
+
+// The menu and its strip hang nearer where the figure would hide them: a person within reach of it stands so.
+void FittingRoom::hangMenuClear() {
+  const auto menu = session_.menu();
+  if (!menu) return;
+  const SceneMenu beside = strip();
+  const Vec3 eyes = placement_.roomToStand(anchor_.eyes() - Vec3{0, kMenuBelow, 0});
+  double share = 1;
+  for (const SceneMenu* panel : {&*menu, &beside}) {  // where they would hang at their full distance
+    const Vec3 corner = eyes + (placement_.fittingToStand(panel->corner) - eyes) * (1 / menuNear_);
+    share = std::min(share, clearShare(eyes, corner, placement_.fittingToStand(panel->across) * (1 / menuNear_),
+                                       placement_.fittingToStand(panel->upward) * (1 / menuNear_)));
+  }
+  if (share == menuNear_) return;
+  menuNear_ = share;
+  session_.setViewpoint(menuViewpoint());
+}
 
 SceneMenu FittingRoom::strip() const {
   SceneMenu strip;
@@ -77,8 +116,20 @@ void FittingRoom::perform(const Offer& offer) {
   }
 }
 
+// Nothing is typed here: less, take it, more.
+void FittingRoom::pressOnNumber(const DropMenu& menu, std::size_t button) {
+  const double step = menu.number->unit > 0 ? kLengthStep : kRatioStep;
+  if (button == 1) return session_.chooseNumber(*number_);
+  number_ = std::clamp(*number_ + (button == 0 ? -step : step), menu.number->least, menu.number->most);
+}
+
 void FittingRoom::pressOnChoice(std::size_t item) {
-  if (!choiceOf_) return session_.choose(item);
+  if (!choiceOf_) {
+    const auto menu = session_.dropMenu();
+    if (menu && menu->number && number_ && item >= menu->items.size())
+      return pressOnNumber(*menu, item - menu->items.size());
+    return session_.choose(item);
+  }
   const std::vector<Offer> offers = listOffers(session_, *choiceOf_);
   if (item < offers.size()) perform(offers[item]);
 }
@@ -128,16 +179,28 @@ void FittingRoom::hangChoice(const Rigid& head) {
   if (!menu && !isList) return;
   const std::vector<Offer> offers = isList ? listOffers(session_, *list_) : std::vector<Offer>();
   const std::vector<Message> title = isList ? std::vector{titleOf(*list_)} : menu->title;
-  const std::size_t items = isList ? offers.size() : menu->items.size();
+  const bool turned = !isList && menu->number && menu->number->asked;  // a number is
+  if (!turned)
+    number_.reset();
+  else if (!number_)
+    number_ = menu->number->value;
+  const std::size_t items = isList ? offers.size() : menu->items.size() + (turned ? 3 : 0);
+  if (choice_ && !isList && items != choice_->panel.buttons.size()) choice_.reset();
   const std::size_t columns = std::clamp<std::size_t>((items + kColumn - 1) / kColumn, 1, kMostColumns);
   if (!choice_) {
     const Vec3 about = isList ? placement_.roomToStand(head.carry + turnedAboutUp(kListAt, headingOf(head)))
                        : menu->where == PointerSample::Where::Table ? table_.at(menu->table)
                                                                     : placement_.fittingToStand(menu->space);
-    choice_ = choiceBefore(placement_.roomToStand(head.carry), about, placement_.scale, items, columns,
-                           !isList         ? kBeside
-                           : options_.left ? kListRight
-                                           : kListLeft);
+    const Vec3 eyes = placement_.roomToStand(head.carry);
+    const auto before = [&](Vec3 there) {
+      return isList ? choiceBefore(eyes, there, placement_.scale, items, columns,
+                                   options_.left ? kListRight : kListLeft, kListWide)
+                    : choiceBefore(eyes, there, placement_.scale, items, columns);
+    };
+    choice_ = before(about);
+    const SceneMenu& panel = choice_->panel;
+    if (const double share = clearShare(eyes, panel.corner, panel.across, panel.upward); share < 1)
+      choice_ = before(eyes + (about - eyes) * share);
   }
   choice_->title = title;
   choice_->panel.buttons.clear();
@@ -146,6 +209,11 @@ void FittingRoom::hangChoice(const Rigid& head) {
     button.hot = hotChoice_ == i;
     if (isList) {
       button.label = offers[i].label, button.enabled = offers[i].enabled, button.chosen = offers[i].chosen;
+    } else if (i >= menu->items.size()) {
+      const std::size_t k = i - menu->items.size();
+      button.label = k == 0   ? say("−")
+                     : k == 1 ? say("{0}: {1}", menu->number->label, fixed(*number_, menu->number->decimals))
+                              : say("+");
     } else {
       const DropMenu::Item& item = menu->items[i];
       button.label = !item.checked ? item.label : *item.checked ? say("☑ {0}", item.label) : say("☐ {0}", item.label);

@@ -17,7 +17,7 @@ constexpr double kStill = 0.2;             // seconds until the soft light is wo
 constexpr int kPanelPixels = 160;          // of the menu's width
 constexpr double kLabelHigh = 1.3;         // of a label's plate on the table, in its font's heights; lines are 1.35
 constexpr double kWordHigh = 0.026;        // of a word, radians
-constexpr double kSaidAside = 0.50, kSaidFar = 0.80, kSaidBelow = -0.06, kSaidWide = 0.34;  // radians, metres
+constexpr double kSaidAside = 0.42, kSaidFar = 0.80, kSaidBelow = -0.06, kSaidWide = 0.32;  // radians, metres
 constexpr Colour kHand{0.10f, 0.10f, 0.12f}, kOtherHand{0.35f, 0.34f, 0.33f}, kRay{0.70f, 0.16f, 0.04f},
     kRayUp{0.90f, 0.80f, 0.62f}, kPicked{0.86f, 0.26f, 0.08f}, kEdge{0.05f, 0.25f, 0.62f};
 
@@ -184,7 +184,7 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
   const Preview preview = session.preview();
   const Vec3 eyes = placement_.roomToStand(eyesInRoom.carry);
   const double size = 1 / placement_.scale;
-  std::vector<Board> boards;
+  std::vector<Board> boards, words;
   const auto word = [&](Vec3 at, const std::string& said) {
     // Towards the eye, or the cloth would swallow its lower half; and above what it is about.
     const Vec3 way = eyes - at;
@@ -192,6 +192,8 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
     const double high = kWordHigh * near;
     Board board = facing(images_.word(said), eyes - normalized(way) * near + Vec3{0, high * 0.9, 0}, eyes, high);
     board.overAll = true;
+    liftClear(board, words);
+    words.push_back(board);
     boards.push_back(std::move(board));
   };
   for (const SceneWord& one : preview.space.words) word(placement_.fittingToStand(one.place), one.text);
@@ -227,6 +229,8 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
     lines.push_back(
         {text(say("Shift is the other hand's trigger, Ctrl this hand's stick forwards, Alt backwards."), language),
          Tone::Plain});
+  if (names("Enter") || names("Esc"))
+    lines.push_back({text(say("Enter is Finish, Esc is Cancel."), language), Tone::Plain});
   for (const Caption& caption : room.captions())
     lines.push_back(
         {inWords(caption.notice.what, language), caption.notice.kind == Notice::Kind::Refused  ? Tone::Refused
@@ -243,6 +247,10 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
       facing(said, middle, placement_.roomToStand(room.anchor().eyes()), kSaidWide * size * said->height / said->width);
   // It grows downwards from its first line.
   board.corner = board.corner - board.upward * 0.5;
+  const Vec3 reader = placement_.roomToStand(room.anchor().eyes());
+  const double share = room.clearShare(reader, board.corner, board.across, board.upward);
+  board.corner = reader + (board.corner - reader) * share;
+  board.across = board.across * share, board.upward = board.upward * share;
   boards.push_back(std::move(board));
 
   if (const auto& choice = room.choice()) {

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
+#include "board_images.h"
+#include "karinui/body/body.h"
 #include "karinui/body/measurements.h"
 #include "karinui/design/script.h"
 #include "program.h"
@@ -310,6 +314,113 @@ TEST(RoomBoards, AButtonActsOnceThoughItsHandIsOutOfSight) {
   EXPECT_EQ(at.session.steps().size(), steps - 1);
 }
 
+// Whoever stands within reach of the figure, or has it on a desk, reads every board: none hangs in it or behind it.
+TEST(RoomBoards, NoBoardHangsInTheFigure) {
+  for (const Scale scale : {Scale::One, Scale::TableTop})
+    for (const bool left : {false, true}) {
+      Session session;
+      perform(session, "body size=jis9ar");
+      RoomOptions options;
+      options.posture.floor = 0;
+      options.scale = scale, options.left = left;
+      FittingRoom room(session, options);
+      test::Person person;
+      person.step(room);
+      if (scale == Scale::One) person.head.carry = {0, 1.5, -0.55};  // from where the hand reaches the waist
+      for (int k = 0; k < 72; ++k) person.step(room);
+      const auto seen = [&](const SceneMenu& panel, const char* which, const std::function<Vec3(Vec3)>& inFitting) {
+        const Vec3 eyes = room.placement().roomToFitting(person.head.carry);
+        for (std::size_t k = 0; k < panel.buttons.size(); ++k) {
+          const Vec3 way = inFitting(test::middleOf(panel, k)) - eyes;
+          const auto met = session.snapshot().body->bvh().first(eyes, normalized(way));
+          EXPECT_FALSE(met && met->along < length(way))
+              << which << " " << text(panel.buttons[k].label) << (left ? " left" : "") << static_cast<int>(scale);
+        }
+      };
+      const auto same = [](Vec3 p) { return p; };
+      ASSERT_TRUE(room.menu());
+      seen(*room.menu(), "menu", same);
+      seen(room.strip(), "strip", same);
+      const SceneMenu strip = room.strip();
+      std::size_t more = 0;
+      while (text(strip.buttons[more].label) != "More") ++more;
+      ControllerState& tool = person.hands[left ? FittingRoom::kLeft : FittingRoom::kRight];
+      tool.tracked = true;
+      tool.aim = tool.grip =
+          test::aimed(person.head.carry - Vec3{0, 0.3, 0}, room.placement().fittingToRoom(test::middleOf(strip, more)));
+      person.step(room), tool.trigger = 1, person.step(room), tool.trigger = 0, person.step(room);
+      ASSERT_TRUE(room.choice());
+      seen(room.choice()->panel, "list", [&](Vec3 p) { return room.placement().standToFitting(p); });
+    }
+}
+
+// A line that is drawn click by click leads round the figure; the boards come along.
+TEST(RoomBoards, TheMenuFollowsWhoeverWalksRoundWhileDrawing) {
+  Session session;
+  perform(session, "body size=jis9ar");
+  RoomOptions options;
+  options.posture.floor = 0;
+  FittingRoom room(session, options);
+  Recorder hand(room);
+  hand.hold(4);
+  hand.tool().tracked = true;
+  hand.choose(Command::Draw);
+  hand.clickAt({0.06, 1.04, 0.16});
+  ASSERT_TRUE(session.begun());
+  hand.person.head = test::aimed({1, 1.5, -1.1}, {0, 1.4, -1.1});
+  hand.hold(72);
+  EXPECT_TRUE(session.begun());
+  EXPECT_LT(distance(room.anchor().eyes(), hand.person.head.carry), 1e-6);
+}
+
+// Where a number would be typed it is turned up and down.
+TEST(RoomBoards, ANumberIsTurnedInsteadOfTyped) {
+  Session session;
+  perform(session, "body size=jis9ar");
+  for (const char* line :
+       {"piece name=long outline=\"M 0 0; a L 200 0; b L 200 100; c L 0 100; d L 0 0\" pose=\"-0.1,1.2,0.3\"",
+        "piece name=short outline=\"M 0 0; a L 100 0; b L 100 100; c L 0 100; d L 0 0\" pose=\"-0.05,1.0,0.3\""})
+    perform(session, line);
+  FittingRoom room(session, {});
+  Recorder hand(room);
+  hand.hold(4);
+  hand.tool().tracked = true;
+  hand.choose(Command::Sew);
+  hand.drag({0, 1.2, 0.3}, {0, 1.1, 0.3}, false);
+  ASSERT_TRUE(room.choice());
+  choose(hand, room, "Another ratio…");
+  ASSERT_TRUE(room.choice());
+  const std::size_t items = room.choice()->panel.buttons.size();
+  EXPECT_EQ(text(room.choice()->panel.buttons[items - 2].label), "Gathered so many times: 1.25");
+  choose(hand, room, "+");
+  EXPECT_EQ(text(room.choice()->panel.buttons[items - 2].label), "Gathered so many times: 1.50");
+  for (int k = 0; k < 5; ++k) choose(hand, room, "+");
+  EXPECT_EQ(text(room.choice()->panel.buttons[items - 2].label), "Gathered so many times: 2.00") << "as far as it goes";
+  choose(hand, room, "−");
+  choose(hand, room, "Gathered so many times: 1.75");
+  EXPECT_FALSE(room.choice());
+  const auto* sew = std::get_if<SewEdges>(&session.steps().back().operation);
+  ASSERT_TRUE(sew) << text(session.steps().back().operation);
+  const PieceId longOne = session.snapshot().document.pieceNamed("long")->id;
+  const EdgeRef& longer = sew->a.front().piece.id == longOne ? sew->a.front() : sew->b.front();
+  EXPECT_NEAR(longer.to - longer.from, 1.75 / 2, 1e-3) << text(session.steps().back().operation);
+}
+
+TEST(RoomBoards, PlatesThatFaceTheEyeDoNotCoverEachOther) {
+  const auto plate = [](double x, double y) {
+    Board board;
+    board.corner = {x, y, 0.2}, board.across = {0.1, 0, 0}, board.upward = {0, 0.03, 0};
+    return board;
+  };
+  std::vector<Board> others{plate(0, 0), plate(0, 0.031)};
+  Board board = plate(0.05, 0.01);
+  liftClear(board, others);
+  EXPECT_NEAR(board.corner.y, 0.061, 1e-9) << "above both";
+  Board beside = plate(0.11, 0.01);
+  liftClear(beside, others);
+  EXPECT_EQ(beside.corner, plate(0.11, 0.01).corner);
+}
+
 // A piece in the hand is not thrown by what moves the room all at once.
 TEST(RoomBoards, ALeapOfTheRoomThrowsNothingThatIsHeld) {
   TwoSquares at;
@@ -349,6 +460,8 @@ TEST(RoomBoards, RefusalsAreReadForAWhileInTheAir) {
   hand.tool().tracked = true;
   hand.choose(Command::Move);  // there is no piece to move
   EXPECT_THAT(said(room), testing::HasSubstr("There is no piece yet"));
+  hand.choose(Command::Move);
+  EXPECT_EQ(room.captions().size(), 1u) << "once, however often";
   hand.hold(10 * 72);
   EXPECT_EQ(said(room), "");
 }
