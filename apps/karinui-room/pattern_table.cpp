@@ -97,6 +97,15 @@ PatternTable patternTableFor(const Session& session, bool mirrored) {
   return PatternTable(box.low, box.high, mirrored);
 }
 
+bool DrawnTable::follow(const Session& session, const PatternTable& top) {
+  SnapshotPtr now = session.snapshotPtr();
+  std::vector<Flat> lies;
+  for (const auto& [id, piece] : now->document.pattern.pieces) lies.push_back(session.table().at(id));
+  if (now == of_ && lies == lies_ && top == top_) return false;
+  of_ = std::move(now), lies_ = std::move(lies), top_ = top;
+  return true;
+}
+
 TablePlacement PatternTable::placement() const { return {at({0, 0}), right_ * scale_, away_ * scale_}; }
 
 TableScene tableSceneFor(const Session& session, const PatternTable& top, Language language, LetteringRooms& rooms) {

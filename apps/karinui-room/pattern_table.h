@@ -40,6 +40,18 @@ class PatternTable {
 // What a table has to hold: every piece of the session's table.
 PatternTable patternTableFor(const Session& session, bool mirrored);
 
+// Whether a table that was drawn is still what there is. A garment that moves as it is pulled or comes to rest leaves
+// its paper as it is: that is told by the document, not by what is shown of the garment.
+class DrawnTable {
+ public:
+  bool follow(const Session& session, const PatternTable& top);  // true: it is to be drawn anew
+
+ private:
+  SnapshotPtr of_;
+  std::vector<Flat> lies_;  // of the document's pieces
+  PatternTable top_;
+};
+
 // The table, the flat pattern that lies on it, and its lettering. `rooms`: kept from one call to the next.
 TableScene tableSceneFor(const Session& session, const PatternTable& top, Language language, LetteringRooms& rooms);
 // What the gesture shows on the paper.

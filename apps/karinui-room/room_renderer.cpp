@@ -104,9 +104,7 @@ void RoomRenderer::takeGarment(const FittingRoom& room, double seconds) {
 }
 
 void RoomRenderer::takeTable(const FittingRoom& room) {
-  if (tableShown_ == room.session().changes().garment && tableAt_ == room.table()) return;
-  tableAt_ = room.table();
-  tableShown_ = room.session().changes().garment;
+  if (!drawnTable_.follow(room.session(), room.table())) return;
   TableScene scene = tableSceneFor(room.session(), room.table(), room.options().language, letteringRooms_);
   table_->show(scene.frame, 0, SoftLight::Anew);
   tableLabels_ = std::move(scene.labels);

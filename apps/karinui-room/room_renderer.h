@@ -42,8 +42,8 @@ class RoomRenderer {
   std::vector<SceneLine> marks_, threads_;
   std::vector<SceneLabel> tableLabels_;
   LetteringRooms letteringRooms_;
-  std::uint64_t garmentShown_ = ~0ull, tableShown_ = ~0ull;
-  PatternTable tableAt_;
+  std::uint64_t garmentShown_ = ~0ull;
+  DrawnTable drawnTable_;
   bool carried_ = false, soft_ = false;
   double changed_ = 0;
   std::optional<double> litFor_;

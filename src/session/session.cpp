@@ -54,6 +54,7 @@ const std::filesystem::path& Session::path() const { return impl_->state.path; }
 bool Session::draft() const { return isDraft(impl_->options, impl_->state.path); }
 bool Session::readOnly() const { return impl_->state.readOnly; }
 const GarmentSnapshot& Session::snapshot() const { return *impl_->state.snapshot; }
+SnapshotPtr Session::snapshotPtr() const { return impl_->state.snapshot; }
 SnapshotPtr Session::shownPtr() const { return impl_->preview ? impl_->preview : impl_->state.snapshot; }
 const GarmentSnapshot& Session::shown() const { return *(impl_->preview ? impl_->preview : impl_->state.snapshot); }
 const TableLayout& Session::table() const { return impl_->table; }

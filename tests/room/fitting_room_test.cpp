@@ -134,6 +134,29 @@ TEST(RoomBoards, TheFlatPatternOnItsTableIsSewnAlike) {
   EXPECT_THAT(text(at.session.steps().back().operation), testing::StartsWith("sew a=p2.b b=p3.d"));
 }
 
+// Cloth that follows the hand leaves the paper on the table as it is; it is drawn again where the pattern has changed.
+TEST(RoomBoards, ThePaperIsDrawnAgainOnlyWhereItChanges) {
+  TwoSquares at;
+  DrawnTable drawn;
+  const auto anew = [&] { return drawn.follow(at.session, at.room.table()); };
+  EXPECT_TRUE(anew());
+  EXPECT_FALSE(anew());
+  at.hand.choose(Command::Pull);
+  const Vec3 held = *spaceOf(at.session.snapshot(), at.session.snapshot().document.pieceNamed("one")->id, {0.07, 0.07});
+  at.hand.touchAt(held), at.hand.hold(3), at.hand.trigger(1);
+  const std::uint64_t shown = at.session.changes().garment;
+  for (int k = 1; k < 10; ++k) {
+    at.hand.touchAt(held + Vec3{0, 0, 0.004 * k}), at.hand.hold();
+    EXPECT_FALSE(anew());
+  }
+  EXPECT_GT(at.session.changes().garment, shown) << "the cloth has followed meanwhile";
+  at.hand.trigger(0);
+  EXPECT_TRUE(anew()) << "a step";
+  at.hand.choose(Command::Undo);
+  EXPECT_TRUE(anew());
+  EXPECT_FALSE(anew());
+}
+
 // Presses the item of the list that hangs open.
 void choose(Recorder& hand, const FittingRoom& room, const std::string& label) {
   ASSERT_TRUE(room.choice());

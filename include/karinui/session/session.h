@@ -101,6 +101,7 @@ class Session {
 
   // --- what there is
   const GarmentSnapshot& snapshot() const;  // the document as it is
+  SnapshotPtr snapshotPtr() const;          // the same, to be kept: another pointer, another document
   const GarmentSnapshot& shown() const;     // what to draw: a prediction or a drag's preview while there is one
   SnapshotPtr shownPtr() const;
   const TableLayout& table() const;
