@@ -37,8 +37,6 @@ ControllerMapper::Mapped ControllerMapper::follow(const ControllerState& hand, P
   ray.phase = phase;
   ray.seconds = around.seconds;
   ray.ray = {tip.carry, forwardOf(tip)};
-  ray.facing = normalized(placed.roomToFitting(around.head) - tip.carry);
-  if (ray.facing == Vec3{}) ray.facing = -ray.ray.direction;
   ray.reach = kPointing;
   ray.trigger = hand.trigger;
   ray.grip = hand.hold;
@@ -75,6 +73,10 @@ ControllerMapper::Mapped ControllerMapper::follow(const ControllerState& hand, P
     came.along = touches_ ? 0 : around.meets(ray).value_or(kFarthest);
   }
   came.touching = touches_;
+  // Towards the eyes from what is pointed at, not from the hand: from there the hand's ray may lie in the plane.
+  if (!underWay || touches_) meant_ = tip.carry + ray.ray.direction * came.along;
+  const Vec3 facing = normalized(placed.roomToFitting(around.head) - meant_);
+  ray.facing = touch.facing = facing == Vec3{} ? -ray.ray.direction : facing;
   if (!onTable_)
     came.sample = touches_ ? touch : ray;
   else if (touches_)

@@ -64,6 +64,7 @@ class ControllerMapper {
   bool down_ = false, unseen_ = false, dropped_ = false;
   bool touches_ = false, onTable_ = false;  // of the drag under way
   Flat lastPlace_;
+  Vec3 meant_;  // what is pointed at, or was when the drag began; in the fitting
 };
 
 }  // namespace karinui::room

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <random>
 
 #include "board_images.h"
 #include "karinui/body/body.h"
@@ -442,6 +443,79 @@ TEST(RoomBoards, PlatesThatFaceTheEyeDoNotCoverEachOther) {
   Board beside = plate(0.11, 0.01);
   liftClear(beside, others);
   EXPECT_EQ(beside.corner, plate(0.11, 0.01).corner);
+}
+
+// What a ray carries goes as far as the ray points, at right angles to how the person sees it, wherever the hand is.
+TEST(RoomBoards, ARayCarriesAPieceAcrossThePersonsView) {
+  for (const Scale scale : {Scale::One, Scale::TableTop})
+    for (const Vec3 shoulder : {Vec3{0.22, 1.15, -0.18}, Vec3{0.3, 0.9, 0.1}, Vec3{-0.3, 1.4, -0.1}}) {
+      Session session;
+      perform(session, "body size=jis9ar");
+      perform(session,
+              "piece name=one outline=\"M 0 0; a L 150 0; b L 150 150; c L 0 150; d L 0 0\" pose=\"-0.075,1.1,0.3\"");
+      RoomOptions options;
+      options.posture.floor = 0, options.scale = scale;
+      FittingRoom room(session, options);
+      Recorder hand(room);
+      hand.hold(4);
+      hand.tool().tracked = true;
+      hand.choose(Command::Move);
+      hand.person.shoulder = shoulder;
+      const PieceId one = session.snapshot().document.pieceNamed("one")->id;
+      for (const Vec3 by : {Vec3{0, 0.1, 0}, Vec3{0.1, 0, 0}, Vec3{0, -0.1, 0}}) {
+        const Vec3 from = *spaceOf(session.snapshot(), one, {0.08, 0.07});
+        hand.tool().stick = {0, -1};  // Alt: nothing snaps
+        hand.drag(from, from + by, false);
+        hand.tool().stick = {};
+        const auto* move = std::get_if<MovePiece>(&session.steps().back().operation);
+        ASSERT_TRUE(move) << said(room);
+        const Vec3 view = normalized(room.placement().roomToFitting(hand.person.head.carry) - from);
+        EXPECT_LT(length(move->by), 0.16) << text(session.steps().back().operation);
+        EXPECT_GT(dot(normalized(move->by), normalized(by)), 0.7) << text(session.steps().back().operation);
+        EXPECT_NEAR(dot(move->by, view), 0, 1e-3);
+        session.command(Command::Undo), session.finish();
+      }
+    }
+}
+
+// Clicks of a hand in the air that trembles by two millimetres, and that moves as it presses, are clicks.
+TEST(RoomBoards, AHandThatTremblesDrawsByClicks) {
+  for (const Scale scale : {Scale::One, Scale::TableTop}) {
+    Session session;
+    perform(session, "body size=jis9ar");
+    RoomOptions options;
+    options.posture.floor = 0, options.scale = scale;
+    FittingRoom room(session, options);
+    Recorder hand(room);
+    hand.hold(4);
+    hand.tool().tracked = true;
+    hand.choose(Command::Draw);
+    std::mt19937 chance(3);
+    std::normal_distribution<double> part(0, 0.0012);
+    std::array<double, 5> off{};
+    const auto shaken = [&](Vec3 at, double trigger) {
+      for (double& one : off) one = 0.8 * one + part(chance);  // 2 mm, 2 mrad
+      hand.person.shoulder = Vec3{0.22, 1.15, -0.18} + Vec3{off[0], off[1], off[2]};
+      hand.pointAt(at);
+      const Rigid still = hand.tool().aim;
+      const double squeezed = trigger > 0 ? 0.004 : 0;
+      hand.tool().aim = after(turnAbout({0, 1, 0}, off[3]), after(still, turnAbout({1, 0, 0}, off[4] - squeezed)));
+      hand.tool().aim.carry = still.carry;
+      hand.tool().trigger = trigger;
+      hand.hold();
+    };
+    for (const auto& [x, y] : {std::pair(0.06, 1.04), {0.06, 1.16}, {-0.06, 1.16}, {-0.06, 1.04}, {0.06, 1.04}}) {
+      const auto met = session.snapshot().body->bvh().first({x, y, 2}, {0, 0, -1});
+      ASSERT_TRUE(met);
+      for (int k = 0; k < 3; ++k) shaken(met->point, 0);
+      for (int k = 0; k < 7; ++k) shaken(met->point, 1);
+      for (int k = 0; k < 3; ++k) shaken(met->point, 0);
+    }
+    const auto* draw = std::get_if<DrawPiece>(&session.steps().back().operation);
+    ASSERT_TRUE(draw) << said(room);
+    EXPECT_EQ(session.snapshot().document.pattern.pieces.begin()->second->outline.edges.size(), 4u)
+        << text(session.steps().back().operation);
+  }
 }
 
 // A piece in the hand is not thrown by what moves the room all at once.
