@@ -28,6 +28,7 @@ constexpr double kFollowed = 0.15;    // metres along a line of the body that ma
 constexpr double kGap = 0.03;         // metres a run may leave the line it follows
 constexpr double kApart = 0.015;      // metres between two corners
 constexpr double kClose = 0.012;      // metres between two kept places, at the least
+constexpr double kTremble = 1.5;      // of how near is touching: how far a hand in the air goes meanwhile as it clicks
 constexpr double kFar = 0.03;         // metres over the skin that are noted even where nothing moved across the view
 constexpr double kTurned = 0.9994;    // cosine of the turn of the view (2 degrees) that begins another stroke
 constexpr double kStraight = 0.006;   // metres a run may pass from the straight line over the skin and be meant so
@@ -199,10 +200,7 @@ class DrawGesture : public Gesture {
       while (stroke_.size() > 1 && awayFromRay(here->ray, stroke_.back().point) < 2 * kPointStep) stroke_.pop_back();
     if (here && (stroke_.size() > 1 || snap_) && distance(here->point, stroke_.back().point) > 1e-9)
       stroke_.push_back(*here);
-    double way = 0;
-    const std::vector<Vec3> picture = pictureOf(stroke_);
-    for (std::size_t i = 1; i < picture.size(); ++i) way += distance(picture[i - 1], picture[i]);
-    if (way >= 2 * kPointStep) {
+    if (drawn(sample.device)) {
       part(context, snap_, true);
       return ended(context, false);
     }
@@ -480,6 +478,19 @@ class DrawGesture : public Gesture {
       places.push_back(noted(snaps_.on(curve, within(curve, share)), false));
     }
     return places;
+  }
+
+  // Whether the stroke is one and not a click. A hand that holds a controller in the air trembles, and moves as it
+  // presses: only what leaves the place it began at is drawn.
+  bool drawn(PointerSample::Device device) const {
+    const std::vector<Vec3> picture = pictureOf(stroke_);
+    double way = 0, away = 0;
+    for (std::size_t i = 1; i < picture.size(); ++i) {
+      way += distance(picture[i - 1], picture[i]);
+      away = std::max(away, distance(picture[i], picture[0]));
+    }
+    return way >= 2 * kPointStep &&
+           (device != PointerSample::Device::Controller || away >= kTremble * stroke_[0].touching());
   }
 
   // Between two clicked places of one line of the body: along it, of a ring by the way that is turned to the eye.
