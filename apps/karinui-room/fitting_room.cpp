@@ -162,6 +162,7 @@ void FittingRoom::step(const Rigid& head, const Hands& hands, double seconds) {
   before_ = seconds, begun_ = true;
   session_.update();
   const ControllerState &tool = hands[toolSide()], &other = hands[1 - toolSide()];
+  unseen_ = tool.tracked ? 0 : unseen_ + passed;
   if (std::exchange(handsBack_, false)) toolBefore_ = tool, otherBefore_ = other;
   if (!placed_) {
     if (dragging()) dropHands();

@@ -16,6 +16,7 @@
 
 namespace karinui::room {
 
+inline constexpr double kUnseen = 3;        // seconds without the tool hand until that is told
 inline constexpr double kMenuBelow = 0.10;  // metres the menu's middle hangs below the eyes
 
 struct RoomOptions {
@@ -70,7 +71,8 @@ class FittingRoom {
   // Where something is to be chosen: how a seam is meant, or from the list that the strip's "More" opens.
   const std::optional<Choice>& choice() const { return choice_; }
   const std::vector<Caption>& captions() const { return captions_; }
-  Viewpoint menuViewpoint() const;  // in the fitting
+  bool toolUnseen() const { return unseen_ > kUnseen; }  // for a while: asleep, laid down, or the wrong hand's
+  Viewpoint menuViewpoint() const;                       // in the fitting
   // How near to eyes that are there a board has to hang to stand before the figure and not in it or behind it: a share
   // of the way. All in the stand.
   double clearShare(Vec3 eyes, Vec3 corner, Vec3 across, Vec3 upward) const;
@@ -119,6 +121,7 @@ class FittingRoom {
   std::optional<RoomCommand> choiceOf_;  // the list that hangs as the choice; none: what a seam needs
   std::optional<double> number_;         // that is turned up and down instead of typed
   std::vector<Caption> captions_;
+  double unseen_ = 0;                                // seconds
   double vignette_ = 0, before_ = 0, menuNear_ = 1;  // a share of the menu's distance
   bool begun_ = false;
 };

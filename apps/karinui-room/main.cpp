@@ -151,5 +151,10 @@ int main(int argc, char** argv) {
     refusedAny = true;
   }
   if (refusedAny) return kWrongCall;
-  return RoomProgram(session, std::move(call.program)).run();
+  const int code = RoomProgram(session, std::move(call.program)).run();
+  // A draft that was begun for nothing, as where there is no headset, is not left behind.
+  if (!there && session.draft() && session.steps().size() <= 1 && session.undone().empty() &&
+      session.otherBranches().empty())
+    std::filesystem::remove(session.path(), none);
+  return code;
 }

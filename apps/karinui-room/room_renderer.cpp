@@ -229,6 +229,14 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
          Tone::Plain});
   if (names("Enter") || names("Esc"))
     lines.push_back({text(say("Enter is Finish, Esc is Cancel."), language), Tone::Plain});
+  if (room.toolUnseen())
+    lines.push_back(
+        {text(room.options().left
+                  ? say("The left controller, which holds the tool, is not seen: switch it on, or hold it up.")
+                  : say("The right controller, which holds the tool, is not seen: switch it on, or hold "
+                        "it up. For the left hand begin with --left."),
+              language),
+         Tone::Refused});
   for (const Caption& caption : room.captions())
     lines.push_back(
         {inWords(caption.notice.what, language), caption.notice.kind == Notice::Kind::Refused  ? Tone::Refused

@@ -318,6 +318,20 @@ TEST(RoomBoards, SticksAndButtonsMoveTheFitting) {
   EXPECT_EQ(session.steps().size(), 1u);
 }
 
+// Whoever wears a headset does not see a terminal.
+TEST(RoomBoards, AControllerThatSleepsIsToldInTheAir) {
+  TwoSquares at;
+  EXPECT_FALSE(at.room.toolUnseen());
+  at.hand.tool().tracked = false;
+  at.hand.hold(72);
+  EXPECT_FALSE(at.room.toolUnseen()) << "a hand that reaches for something";
+  at.hand.hold(3 * 72);
+  EXPECT_TRUE(at.room.toolUnseen());
+  at.hand.tool().tracked = true;
+  at.hand.hold(2);
+  EXPECT_FALSE(at.room.toolUnseen());
+}
+
 // A controller out of sight still tells of its buttons.
 TEST(RoomBoards, AButtonActsOnceThoughItsHandIsOutOfSight) {
   TwoSquares at;

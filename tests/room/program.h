@@ -89,6 +89,7 @@ struct Way {
   std::vector<std::string> words = {};  // more for the program
   bool validated = true;                // by the core validation layer, which knows GLX only
   bool runtime = true;                  // there is one
+  bool headless = true;                 // as a test, without drafts; else as a person begins it
 };
 
 inline Ran run(const Folder& folder, const Way& way) {
@@ -96,7 +97,8 @@ inline Ran run(const Folder& folder, const Way& way) {
   fs::create_directories(log);
   write(folder / "hands.txt", way.hands);
   write(folder / "marks.txt", way.marks);
-  std::vector<std::string> words{KARINUI_ROOM, "--headless-test", out.string(), "--threads", "1"};
+  std::vector<std::string> words{KARINUI_ROOM, "--threads", "1"};
+  if (way.headless) words.insert(words.end(), {"--headless-test", out.string()});
   if (!way.marks.empty()) words.insert(words.end(), {"--script", (folder / "marks.txt").string()});
   words.insert(words.end(), way.words.begin(), way.words.end());
   const pid_t child = fork();

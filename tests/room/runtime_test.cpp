@@ -149,6 +149,24 @@ TEST_F(RoomRuntime, WithoutARuntimeASentenceSaysWhatToDo) {
   }
 }
 
+// However often it is begun in vain, no drafts pile up; what was named stays.
+TEST_F(RoomRuntime, ADraftThatWasBegunForNothingIsNotLeftBehind) {
+  const Folder folder;
+  const auto drafts = [&] {
+    std::size_t count = 0;
+    std::error_code none;
+    for (const auto& one : test::fs::recursive_directory_iterator(folder / "Documents", none))
+      count += one.is_regular_file();
+    return count;
+  };
+  for (int k = 0; k < 2; ++k)
+    EXPECT_EQ(test::run(folder, {.validated = false, .runtime = false, .headless = false}).code, 3);
+  EXPECT_EQ(drafts(), 0u);
+  const std::string named = (folder / "mine.karinui").string();
+  EXPECT_EQ(test::run(folder, {.words = {named}, .validated = false, .runtime = false, .headless = false}).code, 3);
+  EXPECT_TRUE(test::fs::exists(named));
+}
+
 TEST_F(RoomRuntime, WithoutAHeadsetItWaitsAndThenSaysSo) {
   const Folder folder;
   const Ran ran = test::run(folder, {.hands = look(5), .with = "no_headset", .validated = false});
