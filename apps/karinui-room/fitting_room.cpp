@@ -98,10 +98,11 @@ void FittingRoom::point(const Rigid& head, const ControllerState& tool, const Co
     if (choice_) take(hitOf(choice_->panel, inStand(sample)));
     return nearest;
   };
+  const SnapshotPtr picked = session_.pickedPtr();
   const ControllerMapper::Around around{placement_, table_, head.carry, seconds,
                                         [&](const PointerSample& sample) -> std::optional<double> {
                                           if (const auto board = boards(sample)) return board;
-                                          const auto hit = pick(session_.snapshot(), session_.table(), sample);
+                                          const auto hit = pick(*picked, session_.table(), sample);
                                           if (hit.on == Hit::On::Nothing && !(sample.tip && hit.edge))
                                             return std::nullopt;
                                           return hit.along;

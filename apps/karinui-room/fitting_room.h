@@ -71,6 +71,7 @@ class FittingRoom {
   // Where something is to be chosen: how a seam is meant, or from the list that the strip's "More" opens.
   const std::optional<Choice>& choice() const { return choice_; }
   const std::vector<Caption>& captions() const { return captions_; }
+  Message hint() const;                                  // what to do now
   bool toolUnseen() const { return unseen_ > kUnseen; }  // for a while: asleep, laid down, or the wrong hand's
   Viewpoint menuViewpoint() const;                       // in the fitting
   // How near to eyes that are there a board has to hang to stand before the figure and not in it or behind it: a share

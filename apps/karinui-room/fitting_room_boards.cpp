@@ -30,6 +30,12 @@ std::string dayNow() {
 
 }  // namespace
 
+Message FittingRoom::hint() const {
+  const Message hint = session_.hint();
+  // Nobody is flown to another place here: see takeView().
+  return text(hint) == text(info(Command::ViewOblique).hint) ? say("Brings body and table before you again.") : hint;
+}
+
 double FittingRoom::clearShare(Vec3 eyes, Vec3 corner, Vec3 across, Vec3 upward) const {
   const BodyPtr& body = session_.snapshot().body;
   if (!body) return 1;

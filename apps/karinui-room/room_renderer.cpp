@@ -85,6 +85,11 @@ void RoomRenderer::takeGarment(const FittingRoom& room, double seconds) {
         if (line.closed) drawn.points.push_back(drawn.points.front());
         frame.lines.push_back(std::move(drawn));
       }
+    if (const ViewCut& cut = session.viewCut(); cut.any()) {
+      if (!visible_ || visibleOf_ != shown->body || !(visibleCut_ == cut))
+        visible_ = std::make_shared<const VisibleParts>(cut, shown->body), visibleOf_ = shown->body, visibleCut_ = cut;
+      visible_->cut(frame, shown->underWay);
+    }
     const bool first = garmentShown_ == ~0ull;
     garment_->show(frame, 0, rest || first ? SoftLight::Anew : shown->underWay ? SoftLight::Carried : SoftLight::Kept);
     soft_ = rest || first;
@@ -219,7 +224,7 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
   // What to do now, what was said, how far a drape is: on the other side than the menu, where it hides neither.
   std::vector<BoardImages::Line> lines;
   const CommandInfo& tool = info(session.tool());
-  const Message hint = session.hint();
+  const Message hint = room.hint();
   lines.push_back({text(tool.label, language) + " – " + text(hint, language), Tone::Plain});
   const std::string english = text(hint, Language::English);
   const auto names = [&](const char* key) { return english.find(key) != std::string::npos; };

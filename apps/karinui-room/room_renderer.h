@@ -6,6 +6,7 @@
 #include "board_images.h"
 #include "eye_view.h"
 #include "fitting_room.h"
+#include "karinui/session/view_cut.h"
 #include "karinui/view/boards.h"
 #include "karinui/view/renderer.h"
 
@@ -44,6 +45,9 @@ class RoomRenderer {
   LetteringRooms letteringRooms_;
   std::uint64_t garmentShown_ = ~0ull;
   DrawnTable drawnTable_;
+  std::shared_ptr<const VisibleParts> visible_;  // of this body, by this cut
+  BodyPtr visibleOf_;
+  ViewCut visibleCut_;
   bool carried_ = false, soft_ = false;
   double changed_ = 0;
   std::optional<double> litFor_;

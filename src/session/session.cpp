@@ -55,6 +55,7 @@ bool Session::draft() const { return isDraft(impl_->options, impl_->state.path);
 bool Session::readOnly() const { return impl_->state.readOnly; }
 const GarmentSnapshot& Session::snapshot() const { return *impl_->state.snapshot; }
 SnapshotPtr Session::snapshotPtr() const { return impl_->state.snapshot; }
+SnapshotPtr Session::pickedPtr() const { return impl_->seen(); }
 SnapshotPtr Session::shownPtr() const { return impl_->preview ? impl_->preview : impl_->state.snapshot; }
 const GarmentSnapshot& Session::shown() const { return *(impl_->preview ? impl_->preview : impl_->state.snapshot); }
 const TableLayout& Session::table() const { return impl_->table; }

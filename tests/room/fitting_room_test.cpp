@@ -318,6 +318,16 @@ TEST(RoomBoards, SticksAndButtonsMoveTheFitting) {
   EXPECT_EQ(session.steps().size(), 1u);
 }
 
+TEST(RoomBoards, TheHintOfViewSaysWhatItDoesHere) {
+  TwoSquares at;
+  const auto menu = at.room.menu();
+  std::size_t button = 0;
+  while (menuBar()[button] != Command::ViewOblique) ++button;
+  at.hand.pointAt(test::middleOf(*menu, button));
+  at.hand.hold(3);
+  EXPECT_EQ(text(at.room.hint()), "Brings body and table before you again.");
+}
+
 // Whoever wears a headset does not see a terminal.
 TEST(RoomBoards, AControllerThatSleepsIsToldInTheAir) {
   TwoSquares at;

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "eye_pictures.h"
+#include "karinui/body/body.h"
 #include "karinui/design/script.h"
 #include "karinui/view/picture.h"
 #include "recorder.h"
@@ -105,6 +106,34 @@ TEST_F(RoomPictures, TheVignetteDarkensTheRimOnlyWhileTheRoomMoves) {
   person.hands[FittingRoom::kRight].hold = 0;
   for (int k = 0; k < 40; ++k) person.step(room);
   EXPECT_EQ(room.vignette(), 0);
+}
+
+TEST_F(RoomPictures, WhatIsHiddenIsNeitherDrawnNorMet) {
+  Session session;
+  session.perform(*parseOperation("body size=jis9ar"));
+  session.finish();
+  RoomOptions options;
+  options.posture.floor = 0;
+  FittingRoom room(session, options);
+  Person person;
+  person.step(room), person.step(room);
+  const Rigid eye = test::eyeOf(person.head, false);
+  const auto skin = session.snapshot().body->bvh().first({0, 1.53, 1}, {0, 0, -1});
+  ASSERT_TRUE(skin);
+  const Vec3 face = skin->point;
+  const auto colour = [&] {
+    person.pointAt(room.placement().fittingToRoom(face));
+    person.step(room), person.step(room);
+    take(room, person);
+    return at(eyePicture(eye, test::kLeftFov), seen(room, eye, test::kLeftFov, face - Vec3{0.02, 0, 0}));
+  };
+  const auto met = [&] { return room.hands()[FittingRoom::kRight].along; };
+  const Pixel there = colour();
+  EXPECT_LT(met(), 1.5);
+  session.command(Command::HideHead), session.finish();
+  const Pixel hidden = colour();
+  EXPECT_GT((there[0] - there[2]) - (hidden[0] - hidden[2]), 8) << "the wall behind it is less red";
+  EXPECT_GT(met(), 1.5);
 }
 
 TEST_F(RoomPictures, WordsAreBrokenAndWrittenInBothLanguages) {

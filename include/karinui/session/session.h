@@ -102,6 +102,7 @@ class Session {
   // --- what there is
   const GarmentSnapshot& snapshot() const;  // the document as it is
   SnapshotPtr snapshotPtr() const;          // the same, to be kept: another pointer, another document
+  SnapshotPtr pickedPtr() const;            // the same as it is picked from: what viewCut() hides is not
   const GarmentSnapshot& shown() const;     // what to draw: a prediction or a drag's preview while there is one
   SnapshotPtr shownPtr() const;
   const TableLayout& table() const;
