@@ -133,6 +133,27 @@ class MoveGesture : public Gesture {
     return Stand(*piece)(lerp(box.low, box.high, 0.5));
   }
 
+  // A few lines beside each other and a ball about them: where that is far, so is each of them.
+  struct Ball {
+    Vec3 middle;
+    double radius = 0;
+    std::size_t first = 0, end = 0;
+  };
+  static std::vector<Ball> ballsOf(const std::vector<std::pair<Vec3, Vec3>>& lines) {
+    constexpr std::size_t kLines = 16;
+    std::vector<Ball> balls;
+    for (std::size_t first = 0; first < lines.size(); first += kLines) {
+      Ball ball{{}, 0, first, std::min(first + kLines, lines.size())};
+      for (std::size_t i = first; i < ball.end; ++i)
+        ball.middle += (lines[i].first + lines[i].second) * (0.5 / static_cast<double>(ball.end - first));
+      for (std::size_t i = first; i < ball.end; ++i)
+        ball.radius =
+            std::max({ball.radius, distance(ball.middle, lines[i].first), distance(ball.middle, lines[i].second)});
+      balls.push_back(ball);
+    }
+    return balls;
+  }
+
   // Corners of the piece in hand, corners and outlines of the others.
   void collect(const GestureContext& context) {
     mine_.clear();
@@ -153,27 +174,37 @@ class MoveGesture : public Gesture {
         }
       }
     }
+    theirBalls_ = ballsOf(theirs_);
+    outlineBalls_ = ballsOf(theirOutline_);
   }
 
   void snap() {
-    onCorner_ = meet(mine_, theirs_);
-    if (!onCorner_) meet(myOutline_, theirOutline_);
+    onCorner_ = meet(mine_, theirs_, theirBalls_);
+    if (!onCorner_) meet(myOutline_, theirOutline_, outlineBalls_);
   }
   // Brings the nearest place of mine and of their lines together, as seen; false: none is near.
-  bool meet(const std::vector<Vec3>& mine, const std::vector<std::pair<Vec3, Vec3>>& theirs) {
+  bool meet(const std::vector<Vec3>& mine, const std::vector<std::pair<Vec3, Vec3>>& theirs,
+            const std::vector<Ball>& balls) {
     const auto flat = [&](Vec3 v) { return pressed_.tip ? v : v - facing_ * dot(v, facing_); };
     double nearest = kSnaps * kSnaps;
     Vec3 step;
-    for (const Vec3 place : mine)
-      for (const auto& [from, to] : theirs) {
-        const Vec3 start = from - (turned_(place) + by_), side = flat(to - from);
-        const double ss = squaredLength(side);
-        const double t = ss > 0 ? std::clamp(-dot(flat(start), side) / ss, 0.0, 1.0) : 0;
-        const Vec3 way = start + (to - from) * t;
-        if (std::fabs(dot(way, facing_)) > kDeep) continue;
-        if (const double d = squaredLength(flat(way)); d < nearest)
-          nearest = d, step = way, snapped_ = from + (to - from) * t;
+    for (const Vec3 place : mine) {
+      const Vec3 at = turned_(place) + by_;
+      for (const Ball& ball : balls) {
+        const double reach = ball.radius * (1 + 1e-9) + kSnaps;
+        if (squaredLength(flat(ball.middle - at)) > reach * reach) continue;
+        for (std::size_t i = ball.first; i < ball.end; ++i) {
+          const auto& [from, to] = theirs[i];
+          const Vec3 start = from - at, side = flat(to - from);
+          const double ss = squaredLength(side);
+          const double t = ss > 0 ? std::clamp(-dot(flat(start), side) / ss, 0.0, 1.0) : 0;
+          const Vec3 way = start + (to - from) * t;
+          if (std::fabs(dot(way, facing_)) > kDeep) continue;
+          if (const double d = squaredLength(flat(way)); d < nearest)
+            nearest = d, step = way, snapped_ = from + (to - from) * t;
+        }
       }
+    }
     if (snapped_) by_ = tenth(by_ + step);
     return snapped_.has_value();
   }
@@ -190,6 +221,7 @@ class MoveGesture : public Gesture {
   bool onCorner_ = false;
   std::vector<Vec3> mine_, myOutline_;  // corners; places all along
   std::vector<std::pair<Vec3, Vec3>> theirs_, theirOutline_;
+  std::vector<Ball> theirBalls_, outlineBalls_;
   std::optional<std::pair<PieceId, Flat>> aside_;
   Flat laid_;  // on the table, since it was taken hold of
 };
