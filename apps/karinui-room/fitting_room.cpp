@@ -135,7 +135,7 @@ void FittingRoom::point(const Rigid& head, const ControllerState& tool, const Co
 
 void FittingRoom::takeNotices(double seconds) {
   std::erase_if(captions_, [&](const Caption& caption) { return caption.until < seconds; });
-  if (session_.takeAsked()) session_.refuse(badInput(info(session_.tool()).hint));  // nothing is typed here
+  if (session_.takeAsked()) session_.refuse(badInput(say("Nothing is typed here: drag it in its size.")));
   for (Notice& notice : session_.takeNotices()) {
     const std::string said = text(notice.what);  // once, however often
     std::erase_if(captions_, [&](const Caption& caption) { return text(caption.notice.what) == said; });

@@ -328,6 +328,15 @@ TEST(RoomBoards, TheHintOfViewSaysWhatItDoesHere) {
   EXPECT_EQ(text(at.room.hint()), "Brings body and table before you again.");
 }
 
+TEST(RoomBoards, WhereANumberWouldBeTypedItIsSaidHowElse) {
+  TwoSquares at;
+  at.hand.choose(Command::Move);
+  press(at.hand, at.room, "More");
+  choose(at.hand, at.room, "Rectangle");
+  at.hand.clickAt(at.onTable("one", {0.4, 0.4}));
+  EXPECT_EQ(said(at.room), "Nothing is typed here: drag it in its size.\n");
+}
+
 // Whoever wears a headset does not see a terminal.
 TEST(RoomBoards, AControllerThatSleepsIsToldInTheAir) {
   TwoSquares at;
