@@ -71,7 +71,12 @@ void FittingRoom::dropHands() {
 void FittingRoom::buttons(const ControllerState& tool, const ControllerState& other) {
   const auto struck = [](bool now, bool before) { return now && !before; };
   if (struck(tool.confirm, toolBefore_.confirm)) session_.command(Command::Confirm);
-  if (struck(tool.cancel, toolBefore_.cancel)) session_.command(Command::Cancel);
+  if (struck(tool.cancel, toolBefore_.cancel)) {
+    if (choiceOf_)
+      list_.reset();  // as the strip's Cancel does: the list is closed, nothing else
+    else
+      session_.command(Command::Cancel);
+  }
   if (struck(other.confirm, otherBefore_.confirm)) session_.command(Command::Undo);
   if (struck(other.cancel, otherBefore_.cancel)) session_.command(Command::Redo);
   const bool leap =

@@ -252,6 +252,11 @@ TEST(RoomBoards, FigureAndFabricAreChosenInTheAir) {
   ASSERT_TRUE(at.room.choice());
   press(at.hand, at.room, "Cancel");
   EXPECT_FALSE(at.room.choice());
+  at.hand.choose(Command::Move);
+  press(at.hand, at.room, "More");
+  at.hand.press(&ControllerState::cancel);  // the button, too
+  EXPECT_FALSE(at.room.choice());
+  EXPECT_EQ(session.tool(), Command::Move);
   press(at.hand, at.room, "More");
   press(at.hand, at.room, "More");
   EXPECT_FALSE(at.room.choice()) << "again closes it";
