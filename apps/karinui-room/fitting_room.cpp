@@ -62,7 +62,10 @@ void FittingRoom::dropHands() {
   grip_ = none;
   boardDown_ = false;
   handsBack_ = true;
-  if (session_.begun()) session_.command(Command::Cancel);
+  if (session_.begun()) {
+    session_.command(Command::Cancel);
+    session_.advise(say("The hand was lost; what it was doing is dropped."));
+  }
   session_.leave();
   haptics_.reset();
   for (HandShown& hand : shown_) hand = {};

@@ -582,6 +582,7 @@ TEST(RoomBoards, ALeapOfTheRoomThrowsNothingThatIsHeld) {
   at.room.placeAnew();
   at.hand.hold(3);
   EXPECT_FALSE(at.session.begun());
+  EXPECT_EQ(said(at.room), "The hand was lost; what it was doing is dropped.\n");
   at.hand.trigger(0);
   EXPECT_EQ(at.session.steps().size(), steps + 1);
 }
