@@ -142,7 +142,7 @@ void FittingRoom::pressOnChoice(std::size_t item) {
 
 void FittingRoom::keep() {
   if (session_.path().empty()) return;
-  if (!session_.draft())
+  if (!session_.draft() && !session_.readOnly())
     return session_.advise(say("Every step is saved in “{0}” as it is done.", session_.path().string()));
   std::error_code trouble;
   std::filesystem::create_directories(options_.documents, trouble);

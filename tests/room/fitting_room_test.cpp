@@ -63,6 +63,31 @@ TEST(RoomBoards, KeepGivesADraftAPlaceAndSaysWhereAnythingElseIs) {
   EXPECT_THAT(said(room), testing::HasSubstr("Every step is saved in “" + kept.string()));
 }
 
+// A document that may not be written: Keep makes a copy to work on.
+TEST(RoomBoards, KeepOfADocumentThatIsReadOnlyMakesACopy) {
+  const test::Folder folder;
+  {
+    Session first;
+    first.create(folder / "coat.karinui");
+    perform(first, "body size=jis9ar");
+    first.close();
+  }
+  test::fs::permissions(folder / "coat.karinui", test::fs::perms::owner_read);
+  Session session;
+  session.open(folder / "coat.karinui");
+  session.finish();
+  if (!session.readOnly()) GTEST_SKIP() << "whoever runs this may write everything";
+  RoomOptions wished;
+  wished.documents = folder / "Kept";
+  FittingRoom room(session, wished);
+  Recorder hand(room);
+  hand.hold(4);
+  hand.tool().tracked = true;
+  press(hand, room, "Keep");
+  EXPECT_FALSE(session.readOnly());
+  EXPECT_EQ(session.path().parent_path(), folder / "Kept") << said(room);
+}
+
 TEST(RoomBoards, AChoiceIsMadeByPointingAtIt) {
   Session session;
   perform(session, "body size=jis9ar");
@@ -340,6 +365,16 @@ TEST(RoomBoards, WhereANumberWouldBeTypedItIsSaidHowElse) {
   choose(at.hand, at.room, "Rectangle");
   at.hand.clickAt(at.onTable("one", {0.4, 0.4}));
   EXPECT_EQ(said(at.room), "Nothing is typed here: drag it in its size.\n");
+}
+
+// A line that was drawn is not lost without a word where another tool is taken.
+TEST(RoomBoards, WhatIsDroppedForAnotherToolIsSaid) {
+  TwoSquares at;
+  at.hand.choose(Command::Draw);
+  at.hand.clickAt({0, 0.9, 0.15});
+  ASSERT_TRUE(at.session.begun());
+  at.hand.choose(Command::Sew);
+  EXPECT_EQ(said(at.room), "What “Draw” had begun is dropped.\n");
 }
 
 // Whoever wears a headset does not see a terminal.
