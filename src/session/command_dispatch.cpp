@@ -81,6 +81,7 @@ void Session::command(Command command) {
     return;
   }
   if (isTool(command)) {
+    if (in.gesture->begun()) in.tell(Notice::Kind::Said, say("What “{0}” had begun is dropped.", info(in.tool).label));
     in.tool = command;
     in.dropGesture();
     return;
