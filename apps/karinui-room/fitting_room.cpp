@@ -171,6 +171,7 @@ void FittingRoom::step(const Rigid& head, const Hands& hands, double seconds) {
   before_ = seconds, begun_ = true;
   session_.update();
   const ControllerState &tool = hands[toolSide()], &other = hands[1 - toolSide()];
+  busy_ = session_.busy().any ? busy_ + passed : 0;
   unseen_ = tool.tracked ? 0 : unseen_ + passed;
   if (std::exchange(handsBack_, false)) toolBefore_ = tool, otherBefore_ = other;
   if (!placed_) {

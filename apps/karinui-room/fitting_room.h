@@ -72,6 +72,7 @@ class FittingRoom {
   const std::optional<Choice>& choice() const { return choice_; }
   const std::vector<Caption>& captions() const { return captions_; }
   Message hint() const;                                  // what to do now
+  std::optional<Message> working() const;                // what is being worked out, where that takes a while
   bool toolUnseen() const { return unseen_ > kUnseen; }  // for a while: asleep, laid down, or the wrong hand's
   Viewpoint menuViewpoint() const;                       // in the fitting
   // How near to eyes that are there a board has to hang to stand before the figure and not in it or behind it: a share
@@ -122,7 +123,7 @@ class FittingRoom {
   std::optional<RoomCommand> choiceOf_;  // the list that hangs as the choice; none: what a seam needs
   std::optional<double> number_;         // that is turned up and down instead of typed
   std::vector<Caption> captions_;
-  double unseen_ = 0;                                // seconds
+  double unseen_ = 0, busy_ = 0;                     // seconds
   double vignette_ = 0, before_ = 0, menuNear_ = 1;  // a share of the menu's distance
   bool begun_ = false;
 };

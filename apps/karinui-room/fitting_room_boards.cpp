@@ -1,6 +1,7 @@
 // The boards of the room: the strip beside the menu, the lists it opens, and what is to be chosen of a seam.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "fitting_room.h"
 #include "karinui/base/number.h"
@@ -15,6 +16,7 @@ namespace {
 constexpr Vec3 kListAt{0, -0.12, -1};                    // metres from the eyes: what a list hangs before
 constexpr double kListWide = 0.46;                       // of its distance
 constexpr double kListLeft = -0.21, kListRight = -0.25;  // its left edge (kBeside): clear of the words and the strip
+constexpr double kPatience = 0.5;                        // seconds until it is told what is worked out
 constexpr double kRatioStep = 0.25, kLengthStep = 1;     // a press turns a number by so much
 constexpr double kWorn = 0.08;                           // metres of the fitting that cloth stands off the figure
 constexpr double kNearest = 0.28;                        // metres from the eyes: no board hangs nearer
@@ -34,6 +36,14 @@ Message FittingRoom::hint() const {
   const Message hint = session_.hint();
   // Nobody is flown to another place here: see takeView().
   return text(hint) == text(info(Command::ViewOblique).hint) ? say("Brings body and table before you again.") : hint;
+}
+
+std::optional<Message> FittingRoom::working() const {
+  const Busy busy = session_.busy();
+  const int percent = static_cast<int>(std::lround(100 * busy.fraction));
+  if (busy.any && busy.settling) return say("Settling: {0} %", percent);
+  if (!busy.any || busy_ < kPatience || busy.doing.empty()) return std::nullopt;
+  return say("{0}: {1} %", busy.doing, percent);
 }
 
 double FittingRoom::clearShare(Vec3 eyes, Vec3 corner, Vec3 across, Vec3 upward) const {

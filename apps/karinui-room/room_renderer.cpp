@@ -247,9 +247,7 @@ void RoomRenderer::takeBoards(const FittingRoom& room, const Rigid& eyesInRoom) 
         {inWords(caption.notice.what, language), caption.notice.kind == Notice::Kind::Refused  ? Tone::Refused
                                                  : caption.notice.kind == Notice::Kind::Advice ? Tone::Advice
                                                                                                : Tone::Plain});
-  if (const Busy busy = session.busy(); busy.any && busy.settling)
-    lines.push_back(
-        {text(say("Settling: {0} %", static_cast<int>(std::lround(100 * busy.fraction))), language), Tone::Plain});
+  if (const auto working = room.working()) lines.push_back({text(*working, language), Tone::Plain});
   const double aside = room.options().left ? -kSaidAside : kSaidAside;
   const Vec3 before = turnedAboutUp({0, 0, -1}, room.anchor().heading() + aside);
   const Vec3 middle = placement_.roomToStand(room.anchor().eyes() + before * kSaidFar - Vec3{0, kSaidBelow, 0});

@@ -377,6 +377,28 @@ TEST(RoomBoards, WhatIsDroppedForAnotherToolIsSaid) {
   EXPECT_EQ(said(at.room), "What “Draw” had begun is dropped.\n");
 }
 
+// A figure takes a second to be made: that is told, as a drape is.
+TEST(RoomBoards, WhatIsWorkedOutForAWhileIsTold) {
+  Session session;
+  perform(session, "body size=jis9ar");
+  FittingRoom room(session, {});
+  test::Person person;
+  person.step(room);
+  EXPECT_FALSE(room.working());
+  session.perform(*parseOperation("body size=eu38"));
+  person.step(room);
+  EXPECT_FALSE(room.working()) << "not at once";
+  std::string told;
+  for (int k = 0; k < 20000 && !session.idle() && told.empty(); ++k) {
+    person.step(room);
+    if (const auto working = room.working()) told = text(*working);
+  }
+  EXPECT_THAT(told, testing::MatchesRegex(".+: [0-9]+ %"));
+  session.finish();
+  person.step(room);
+  EXPECT_FALSE(room.working());
+}
+
 // Whoever wears a headset does not see a terminal.
 TEST(RoomBoards, AControllerThatSleepsIsToldInTheAir) {
   TwoSquares at;
