@@ -31,10 +31,11 @@ struct DrapePieces {
           "yes: facings and linings are laid in when the rest hangs; recorded where that was so, as the first time a "
           "garment is draped",
           kOptional);
-    visit("dressed", self.dressed,
-          "yes: garments are put on one after another, the lowest layer first; recorded where that was so, as the first "
-          "time several are draped",
-          kOptional);
+    visit(
+        "dressed", self.dressed,
+        "yes: garments are put on one after another, the lowest layer first; recorded where that was so, as the first "
+        "time several are draped",
+        kOptional);
   }
   bool operator==(const DrapePieces&) const = default;
 };
