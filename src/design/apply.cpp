@@ -6,6 +6,7 @@
 #include "design/operations/operations.h"
 #include "design/text/field_table.h"
 #include "design/text/formula_fields.h"
+#include "design/text/value_text.h"
 #include "karinui/design/variables.h"
 
 namespace karinui {
@@ -65,6 +66,51 @@ void nameEachEdge(const Document& before, Operation& operation) {
   }
 }
 
+// The edges a field names; of a field of another kind none.
+std::vector<EdgeRef> edgesIn(const FieldOf& field) {
+  if (field.form->kind == "list of piece.edge") return *static_cast<const std::vector<EdgeRef>*>(field.value);
+  if (field.form->kind != "piece.edge") return {};
+  EdgeRef edge;  // by its text, for it may be optional
+  return readValue(field.form->write(field.value), edge) ? std::vector{edge} : std::vector<EdgeRef>();
+}
+
+bool isPart(const EdgeRef& ref) { return ref.from != 0 || ref.to != 1; }
+
+// Parts of edges in the fields of an operation, by the field's name.
+std::vector<std::pair<std::string_view, EdgeRef>> partsNamed(Operation& operation) {
+  std::vector<std::pair<std::string_view, EdgeRef>> parts;
+  for (const FieldOf& field : fieldsOf(operation))
+    for (EdgeRef& ref : edgesIn(field))
+      if (isPart(ref)) parts.emplace_back(field.name, std::move(ref));
+  return parts;
+}
+
+// What is done along whole edges leaves a part of one out when it is resolved. It would be done to all of the edge.
+Done keptParts(const Document& before, const std::vector<std::pair<std::string_view, EdgeRef>>& named,
+               Operation& operation) {
+  if (named.empty()) return {};
+  const auto kept = partsNamed(operation);
+  for (const auto& [field, ref] : named) {
+    PieceRef piece = ref.piece;
+    if (!resolve(before, piece)) continue;
+    const auto same = [&, name = field, edge = ref.edge](const auto& other) {
+      PieceRef its = other.second.piece;
+      return other.first == name && other.second.edge == edge && resolve(before, its) && its == piece;
+    };
+    double share = 0;  // several parts may be all of it
+    for (const auto& other : named)
+      if (same(other)) share += other.second.to - other.second.from;
+    if (share >= 1 - 1e-9 || std::any_of(kept.begin(), kept.end(), same)) continue;
+    const std::string whole = before.find(piece.id)->name + "." + ref.edge;
+    const double at = ref.from > 0 ? ref.from : ref.to;
+    return refused(
+        say("This is done along whole edges, and “{0}@{1}:{2}” is a part of one. Divide the edge first, split "
+            "edge={0} at={3}, and name the part by what it is called then.",
+            whole, ref.from, ref.to, at));
+  }
+  return {};
+}
+
 // The formula of a `length`; empty: a plain number.
 std::string lengthFormula(const Operation& operation) {
   for (const FieldText& formula : operation.formulas)
@@ -83,11 +129,13 @@ Result<BodyPtr> bodyOf(const Document& document, Context& context) {
 Result<Operation> resolved(const Document& before, Operation operation, Context& context) {
   if (Done done = workOutFields(before, operation, context); !done) return done.error();
   nameEachEdge(before, operation);
+  const auto parts = context.recorded ? decltype(partsNamed(operation))() : partsNamed(operation);
   Context own = context;
   own.byFormula = !operation.formulas.empty();
   const Done done =
       std::visit([&](auto& op) { return resolve(before, op, own); }, static_cast<PlainOperation&>(operation));
   if (!done) return done.error();
+  if (Done whole = keptParts(before, parts, operation); !whole) return whole.error();
   if (const auto* length = std::get_if<SetLength>(&operation))
     if (Done fine = checkLink(before, length->edge, lengthFormula(operation)); !fine) return fine.error();
   return operation;
