@@ -208,6 +208,25 @@ TEST_F(Placed, ABandIsLedToItsRun) {
   }
 }
 
+// Named in whatever order, a waistband begins where the trousers open.
+TEST_F(Placed, ABandBeginsAtTheOpening) {
+  for (const char* run : {"leg_front_left.waist* leg_back_left.waist* leg_back_right.waist* leg_front_right.waist*",
+                          "leg_back_left.waist* leg_front_right.waist* leg_front_left.waist* leg_back_right.waist*"}) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(
+        file, std::string("body size=eu38\nblock kind=trousers ease=8cm\nunsew seam=crotch_front\n"
+                          "sew a=leg_front_left.crotch@0.5:1 b=leg_front_right.crotch@0:0.5 name=crotch_front\n"
+                          "band name=waistband depth=4cm sew=yes extra=3cm of=\"") +
+                  run + "\"\n");
+    ASSERT_TRUE(done) << text(done.error().what);
+    const Document& document = file.document();
+    const Seam& seam = document.pattern.seams.rbegin()->second;
+    ASSERT_EQ(seam.b.size(), 8u) << run;
+    EXPECT_EQ(document.find(seam.b.front().piece)->name, "leg_front_right") << run;
+    EXPECT_EQ(document.find(seam.b.back().piece)->name, "leg_front_left") << run;
+  }
+}
+
 // Where a run's edges stand apart a band goes round what they go round, not round the arm or leg that is nearest to the
 // run's middle.
 TEST_F(Placed, ABandGoesRoundWhatItsRunGoesRound) {

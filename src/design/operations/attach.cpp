@@ -6,6 +6,7 @@
 
 #include "design/operations/limb.h"
 #include "design/operations/new_piece.h"
+#include "design/sewn_corners.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
 #include "karinui/pattern/lattice.h"
@@ -220,6 +221,18 @@ void decideClear(double turn, Choice& clear, const Context& context) {
   if (clear == Choice::Auto && !context.recorded && turn > std::numbers::pi / 2) clear = Choice::Yes;
 }
 
+// A run that closes a ring, beginning where the garment opens: behind the first place that nothing holds together.
+std::vector<EdgeRef> fromOpening(const Document& document, std::vector<EdgeRef> run) {
+  if (!follows(document, run.back(), run.front())) return run;
+  for (std::size_t k = 0; k < run.size(); ++k) {
+    const std::size_t before = (k + run.size() - 1) % run.size();
+    if (goesOnSewn(document, run[before], run[k])) continue;
+    std::rotate(run.begin(), run.begin() + static_cast<std::ptrdiff_t>(k), run.end());
+    break;
+  }
+  return run;
+}
+
 std::optional<std::vector<EdgeRef>> asOneRun(const Document& document, const std::vector<EdgeRef>& edges) {
   if (links(document, edges) + 1 == edges.size()) return edges;
   const auto first = std::find_if(edges.begin(), edges.end(), [&](const EdgeRef& edge) {
@@ -231,7 +244,7 @@ std::optional<std::vector<EdgeRef>> asOneRun(const Document& document, const std
   for (;;) {
     run.push_back(left[next]);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(next));
-    if (left.empty()) return run;
+    if (left.empty()) return fromOpening(document, std::move(run));
     const auto on = std::find_if(left.begin(), left.end(),
                                  [&](const EdgeRef& edge) { return follows(document, run.back(), edge); });
     if (on == left.end()) return std::nullopt;
@@ -276,7 +289,7 @@ std::vector<EdgeRef> runThrough(const Document& document, const EdgeRef& edge) {
       more = true;
     }
   }
-  return run;
+  return fromOpening(document, std::move(run));
 }
 
 SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run) {

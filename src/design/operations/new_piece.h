@@ -34,7 +34,7 @@ struct SpaceRun {
   bool together() const { return apart < 0.03; }  // one line in space
 };
 // Edges of outlines in the order in which each goes on where the one before ends, as they are named where that is so;
-// nothing: they are no run in any order.
+// nothing: they are no run in any order. A ring that was not named in order begins where the garment opens.
 std::optional<std::vector<EdgeRef>> asOneRun(const Document& document, const std::vector<EdgeRef>& edges);
 // Puts a run in the outlines' own order; refuses edges that do not follow each other.
 Done orderRun(const Document& before, std::vector<EdgeRef>& run);
