@@ -101,7 +101,8 @@ void dropShort(std::vector<Flat>& places) {
 }  // namespace
 
 Result<CutPieces> cutAlong(const Piece& piece, Stretch stretch, std::vector<HoleCrossing> crossings, PieceId second,
-                           const std::string& secondName, const std::set<std::string>& sewnLines) {
+                           const std::string& secondName, const std::set<std::string>& sewnLines,
+                           std::optional<bool> keepLeft) {
   if (!stretch.start) {  // a slit drawn from its tip
     std::reverse(stretch.line.begin(), stretch.line.end());
     std::swap(stretch.start, stretch.end);
@@ -180,7 +181,9 @@ Result<CutPieces> cutAlong(const Piece& piece, Stretch stretch, std::vector<Hole
     add(two, walkedBack(
                  runFrom(hole, cornerAt(hole, crossings[k - 1].in.place), cornerAt(hole, crossings[k - 1].out.place))));
   }
-  if (one.outline.area() < two.outline.area()) std::swap(one, two);
+  // `one` lies left of the line.
+  cut.keptLeft = keepLeft ? *keepLeft : one.outline.area() >= two.outline.area();
+  if (!cut.keptLeft) std::swap(one, two);
   two.id = second;
   two.name = secondName;
   for (Piece* part : {&one, &two}) {

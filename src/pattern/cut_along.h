@@ -17,8 +17,10 @@ struct HoleCrossing {
   Meeting in, out;
 };
 
-// Crossings in the line's order; any other hole on the way is refused.
+// Crossings in the line's order; any other hole on the way is refused. `keepLeft`: whether the part left of the line
+// keeps the id; nothing: the larger.
 Result<CutPieces> cutAlong(const Piece& piece, Stretch stretch, std::vector<HoleCrossing> crossings, PieceId second,
-                           const std::string& secondName, const std::set<std::string>& sewnLines);
+                           const std::string& secondName, const std::set<std::string>& sewnLines,
+                           std::optional<bool> keepLeft = {});
 
 }  // namespace karinui

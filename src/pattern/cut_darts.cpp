@@ -80,13 +80,13 @@ Result<Crossed> doubleDartsAcross(const Pattern& pattern, const Piece& whole, co
 
 Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std::vector<Flat> line,
                                  const std::function<NewPart(std::size_t)>& newPart,
-                                 const std::set<std::string>& sewnLines) {
+                                 const std::set<std::string>& sewnLines, const std::vector<bool>& keepLeft) {
   std::vector<PaperDart> darts;
   for (const PaperDart& dart : dartsOf(pattern))
     if (dart.piece == piece.id) darts.push_back(dart);
   const auto stretches = stretchesOver(piece, std::move(line), darts);
   if (!stretches) return stretches.error();
-  CutAcross all{{{piece}, {}}, {}};
+  CutAcross all{{{piece}, {}}, {}, {}};
   std::size_t made = 0;
   for (std::size_t s = 0; s < stretches->size(); ++s) {
     const auto& places = (*stretches)[s].line;
@@ -105,11 +105,18 @@ Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std
     auto crossed = doubleDartsAcross(pattern, piece, *part, stretch->front());
     if (!crossed) return crossed.error();
     const NewPart fresh = newPart(made);
-    auto cut = cutAlong(*part, std::move(stretch->front()), std::move(crossed->holes), fresh.id, fresh.name, sewnLines);
+    std::optional<bool> keep;
+    if (const std::size_t k = all.keptLeft.size(); k < keepLeft.size()) keep = keepLeft[k];
+    auto cut =
+        cutAlong(*part, std::move(stretch->front()), std::move(crossed->holes), fresh.id, fresh.name, sewnLines, keep);
     if (!cut) return cut.error();
     all.cut.edges = composed(all.cut.edges, cut->edges);
     *part = cut->pieces.front();
-    if (cut->pieces.size() > 1) all.cut.pieces.push_back(std::move(cut->pieces.back())), ++made;
+    if (cut->pieces.size() > 1) {
+      all.keptLeft.push_back(cut->keptLeft);
+      all.cut.pieces.push_back(std::move(cut->pieces.back()));
+      ++made;
+    }
     for (const SeamId seam : crossed->seams) all.darts.push_back({seam, true});
     if (s == 0) continue;
     // The dart between this stretch and the one before.

@@ -93,5 +93,42 @@ TEST(CutDarts, WithTwoPointsAtTheWaistGiveEachHalfItsOwn) {
   EXPECT_EQ(hash(again.document()), hash(now));
 }
 
+// Which part keeps the piece is recorded: made to another figure, where the other part is the larger, it is the same
+// one still, and so are seams and hems.
+TEST(Cut, KeepsTheSamePartWhenItsPieceIsMadeOtherwise) {
+  const auto script = [](const char* height, const char* cut) {
+    return std::string("rectangle name=skirt width=40cm height=") + height + " edges=\"hem right waist left\"\n" +
+           "mirror piece=skirt name=other\n" + cut;
+  };
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file, script("50cm", "cut piece=skirt line=\"-30cm,26cm; 30cm,26cm\" name=yoke copies=yes\n")));
+  EXPECT_THAT(text(file.steps().back().operation), HasSubstr("keeps=right"));
+  for (const char* name : {"skirt", "other"})
+    EXPECT_TRUE(file.document().pieceNamed(name)->outline.find("hem")) << name;
+  ASSERT_TRUE(
+      file.amend(1, op("rectangle name=skirt width=40cm height=60cm edges=\"hem right waist left\""), room.context));
+  for (const char* name : {"skirt", "other"})
+    EXPECT_TRUE(file.document().pieceNamed(name)->outline.find("hem")) << name;
+  EXPECT_TRUE(file.document().pieceNamed("yoke")->outline.find("waist"));
+}
+
+TEST(Cut, IsToldWhichPartKeepsThePiece) {
+  const std::string skirt = "rectangle name=skirt width=40cm height=50cm edges=\"hem right waist left\"\n";
+  const auto keeps = [&](const std::string& cut, const char* edge) {
+    Workroom room;
+    DocumentFile file = DocumentFile::inMemory();
+    const Done done = room.play(file, skirt + cut);
+    EXPECT_TRUE(done) << text(done.error().what);
+    return done && file.document().pieceNamed("skirt")->outline.find(edge).has_value();
+  };
+  EXPECT_TRUE(keeps("cut piece=skirt line=\"-30cm,26cm; 30cm,26cm\" keeps=left\n", "waist"));
+  EXPECT_TRUE(keeps("cut piece=skirt line=\"-30cm,26cm; 30cm,26cm\" keeps=right\n", "hem"));
+  EXPECT_TRUE(keeps("cut piece=skirt line=\"30cm,26cm; -30cm,26cm\" keeps=left\n", "hem"));
+  // Of halves alike it is the one left of the line, whichever way the areas are rounded.
+  EXPECT_TRUE(keeps("cut piece=skirt line=\"0,60cm; 0,-10cm\"\n", "right"));
+  EXPECT_TRUE(keeps("cut piece=skirt line=\"0,-10cm; 0,60cm\"\n", "left"));
+}
+
 }  // namespace
 }  // namespace karinui

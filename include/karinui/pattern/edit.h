@@ -34,8 +34,9 @@ std::optional<std::pair<std::string, double>> placeNow(const EdgeMap& map, Piece
                                                        double fraction);
 
 struct CutPieces {
-  std::vector<Piece> pieces;  // one with a slit, or two; the first (the larger) keeps id and name
+  std::vector<Piece> pieces;  // one with a slit, or two; the first (otherwise the larger) keeps id and name
   EdgeMap edges;
+  bool keptLeft = false;  // of two the first lies left of the line, as it runs
 };
 // Cuts along a line of places. Ends inside the piece and within 5 mm of the outline snap onto it, what runs out of the
 // piece is left off, wiggles under 0.2 mm are straightened. A line with one end on the outline makes a slit: its two
@@ -61,10 +62,12 @@ struct CutDart {
 struct CutAcross {
   CutPieces cut;
   std::vector<CutDart> darts;
+  std::vector<bool> keptLeft;  // of each stretch of the line that divides: what lies left of it kept the id
 };
+// `keepLeft`: so it shall be; of stretches beyond its end the larger part keeps the id.
 Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std::vector<Flat> line,
                                  const std::function<NewPart(std::size_t)>& newPart,
-                                 const std::set<std::string>& sewnLines = {});
+                                 const std::set<std::string>& sewnLines = {}, const std::vector<bool>& keepLeft = {});
 // The seam of a dart that was cut across, in one seam for each pair of pieces; all have its id and name.
 std::vector<Seam> dividedDart(Seam seam, bool turned);
 

@@ -183,6 +183,7 @@ TermTable fieldTerms() {
       {"joint", say("Joint")},
       {"keep", say("Which end stays")},
       {"keep.spread", say("Edge that stays")},
+      {"keeps", say("Side that keeps the name")},
       {"kind", say("Block")},
       {"kind.allowance", say("All of a kind")},
       {"kind.fasten", say("Kind of fastening")},

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "design/operations/operations.h"
 #include "design/operations/sewn_runs.h"
@@ -12,6 +13,7 @@ namespace karinui {
 namespace {
 
 constexpr std::size_t kMostPlaces = 10000;
+constexpr double kAlike = 1e-3;  // by how much of their size halves that are meant to be alike may differ
 
 // How many ids of the step are taken.
 struct Minted {
@@ -118,6 +120,30 @@ void arrangeLike(CutPieces& cut, const std::vector<const Piece*>& likewise) {
   std::sort(cut.pieces.begin(), cut.pieces.end(), [](const Piece& a, const Piece& b) { return a.id < b.id; });
 }
 
+std::vector<bool> leftKept(const CutPiece& op) {
+  std::vector<bool> left;
+  for (const std::string& side : op.keeps) left.push_back(side == "left");
+  return left;
+}
+
+// Which sides of the line keep the piece. It is recorded, for on another figure the other part may be the larger, and
+// what was done to the one would be done to the other. Of halves alike it is the left one.
+Result<std::vector<std::string>> sidesKept(const Document& before, const CutPiece& op) {
+  const Piece& whole = *before.find(op.piece.id);
+  const auto newPart = [&](std::size_t k) {
+    return NewPart{mint<PieceId>(before, static_cast<std::uint32_t>(k)), "part"};
+  };
+  const auto across = cutAcrossDarts(before.pattern, whole, op.line, newPart, {}, leftKept(op));
+  if (!across) return across.error();
+  std::vector<std::string> sides;
+  for (const bool left : across->keptLeft) sides.push_back(left ? "left" : "right");
+  const auto& parts = across->cut.pieces;
+  if (op.keeps.empty() && parts.size() == 2 &&
+      std::abs(parts[0].outline.area() - parts[1].outline.area()) < kAlike * parts[0].outline.area())
+    sides = {"left"};
+  return sides;
+}
+
 // `likewise`: the parts of the piece of which this is the symmetric copy.
 Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<const Piece*>& likewise, Minted& minted,
                   const Context& context) {
@@ -129,8 +155,9 @@ Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<
     for (int n = 2; !names.insert(name).second; ++n) name = op.name + "_" + std::to_string(n);
     return NewPart{mint<PieceId>(before, minted.pieces + static_cast<std::uint32_t>(k)), name};
   };
-  auto across = cutAcrossDarts(before.pattern, whole, op.line, newPart,
-                               linesOfLattice(withElasticLines(before.pattern, before.allowances), whole));
+  auto across =
+      cutAcrossDarts(before.pattern, whole, op.line, newPart,
+                     linesOfLattice(withElasticLines(before.pattern, before.allowances), whole), leftKept(op));
   if (!across) return across.error();
   CutPieces& cut = across->cut;
   minted.pieces += static_cast<std::uint32_t>(cut.pieces.size()) - 1;
@@ -171,11 +198,18 @@ Done resolve(const Document& before, CutPiece& op, Context& context) {
     if (!(length(place) <= 1000)) return refused(say("The line of the cut leaves the table."));
   if (op.copies != Choice::Auto)
     if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
-  if (op.name.empty()) {
+  if (op.name.empty())
     op.name = usableName(before, before.find(op.piece.id)->name);
-    return {};
-  }
-  return checkNewName(before, op.name);
+  else if (Done done = checkNewName(before, op.name); !done)
+    return done;
+  for (const std::string& side : op.keeps)
+    if (side != "left" && side != "right")
+      return refused(say("The side of a cut's line is left or right, as the line runs, not “{0}”.", side));
+  if (context.recorded) return {};
+  auto sides = sidesKept(before, op);
+  if (!sides) return sides.error();
+  op.keeps = std::move(*sides);
+  return {};
 }
 
 Result<Document> perform(const Document& before, const CutPiece& op, Context& context) {
@@ -196,6 +230,7 @@ Result<Document> perform(const Document& before, const CutPiece& op, Context& co
     likewise.piece.id = id;
     likewise.name = nameOfCopy(after, op.name);
     for (Flat& place : likewise.line) place.u = -place.u;
+    for (std::string& side : likewise.keeps) side = side == "left" ? "right" : "left";
     auto other = cutIn(after, likewise, own, minted, silent);
     if (!other) return other.error();
     after = std::move(other->after);

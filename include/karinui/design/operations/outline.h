@@ -24,6 +24,7 @@ struct CutPiece {
   std::vector<Flat> line;
   std::string name;
   Choice copies = Choice::Auto;
+  std::vector<std::string> keeps;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to cut", kNeeded);
@@ -31,6 +32,10 @@ struct CutPiece {
     visit("name", self.name, "the second piece's name, if it falls in two; of more the largest is called so",
           kOptional);
     visit("copies", self.copies, "the symmetric copy too, along the image of the line: auto, yes, no (auto: no)",
+          kOptional);
+    visit("keeps", self.keeps,
+          "which side of the line keeps the piece's name: left or right, as the line runs (otherwise the larger part); "
+          "where it goes across darts, for each stretch between them",
           kOptional);
   }
   bool operator==(const CutPiece&) const = default;
