@@ -24,6 +24,7 @@ constexpr int kCoarseRounds = 30, kFineRounds = 10;
 constexpr double kNear = 0.6, kGood = 0.4;  // worst residuals, in tolerances, at which the solver may stop
 constexpr double kHopeless = 6;             // and at which a finer grid, which moves the tape by 1 or 2, cannot help
 constexpr std::string_view kOffForm[] = {"crotch", "elbow", "wrist", "knee", "ankle"};  // landmarks a dress form lacks
+constexpr int kMostMissed = 2;  // grids on which what was stated may not be met
 constexpr double kShifts[] = {0, 0.31, 0.57, 0.13, 0.77, 0.43};
 
 // Feet on the floor and exactly as tall as asked for: the polygonised height is off by about a thousandth.
@@ -120,10 +121,16 @@ std::vector<Target> targetsFor(const Measurements& stated, const Measurements& c
 
 Error unsound() { return refused(say("No sound body could be made from these measurements; leave some out.")); }
 
+// Whether the tape could be taken for all that was stated.
+bool allMeasured(const std::vector<Target>& targets, const Anthropometry& measured) {
+  return std::all_of(targets.begin(), targets.end(),
+                     [&](const Target& target) { return !target.stated || measured.value.contains(target.key); });
+}
+
 // What was stated and could not be met, and what stands against it.
 struct Unmet {
   std::string key, other;                       // other: empty if it is no single measure
-  double wanted = 0, got = 0, otherWanted = 0;  // got: where the solver stopped
+  double wanted = 0, got = 0, otherWanted = 0;  // got: where the solver stopped; 0: it could not be measured
 };
 
 Unmet unmetOf(const FigureSolver& solver, const Anthropometry& measured) {
@@ -205,7 +212,14 @@ Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& 
     return measured;
   };
   const auto evaluateOne = [&](const Alteration& by) { return evaluate({&by, 1}).front(); };
-  const double far = solver.solve(evaluate, kCoarseRounds, kNear, 3);
+  double far = solver.solve(evaluate, kCoarseRounds, kNear, 3);
+  if (far > kHopeless &&
+      !token.cancelled()) {  // where arms lie at the trunk the tape jumps: from there on another grid
+    shift = kShifts[1];
+    far = solver.solve(evaluate, kCoarseRounds, kNear, 3);
+    shift = 0;
+    if (far <= kHopeless && !evaluateOne(solver.alteration())) return unsound();  // on the usual grid, to count cells
+  }
   if (token.cancelled()) return cancelled();
   const auto none = [&] { return token.cancelled() ? cancelled() : unsound(); };
   if (far > kHopeless) {
@@ -216,6 +230,7 @@ Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& 
   cell = std::max(kFine, kCoarse * std::sqrt(static_cast<double>(now.mesh.faces.size()) / kTriangles));
   polish = 4;
   bool met = false;
+  int missed = 0;
   for (const double other : kShifts) {  // an awkward meeting of grid and surface: another grid
     shift = other;
     solver.solve(evaluate, kFineRounds, kGood, far > 1 && far < 3 ? 1 : 0);
@@ -223,7 +238,7 @@ Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& 
     if (!evaluateOne(solver.alteration())) return none();
     met = worstResidual(solver.targets(), now.measured, true) <= 1;
     if (met && sound(now.mesh)) break;
-    if (!met) {
+    if (!met && allMeasured(solver.targets(), now.measured) && ++missed == kMostMissed) {
       unmet = unmetOf(solver, now.measured);
       return unsound();
     }
@@ -277,12 +292,14 @@ std::optional<double> nearestMade(Measurements wanted, const Unmet& unmet, Worke
     value = wanted.value[unmet.key] = std::round(value / kStep) * kStep;
     return !token.cancelled() && made(wanted, workers, token, ends, ignored) ? std::optional(value) : std::nullopt;
   };
-  if (const auto here = canBe(unmet.got)) return here;
+  if (unmet.got > 0)
+    if (const auto here = canBe(unmet.got)) return here;
   wanted.value.erase(unmet.key);
   const auto without = made(wanted, workers, token, ends, ignored);
   if (!without || !(*without)->measured().value.contains(unmet.key)) return std::nullopt;
   const double free = (*without)->measured().value.at(unmet.key);
-  if (const auto middle = canBe(std::midpoint(unmet.got, free))) return middle;
+  if (unmet.got > 0)
+    if (const auto middle = canBe(std::midpoint(unmet.got, free))) return middle;
   return canBe(free);
 }
 

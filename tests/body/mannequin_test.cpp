@@ -248,6 +248,17 @@ TEST(Mannequin, AQuarrelNamesBothAndTheRange) {
   EXPECT_TRUE(said.find("at most") != std::string::npos || said.find("at least") != std::string::npos) << said;
 }
 
+// Arms that are thick enough to lie at the trunk, where the tape jumps from grid to grid, are no quarrel.
+TEST(Mannequin, ThickArmsOfAStoutFigureAreMade) {
+  for (const double arm : {0.40, 0.39}) {
+    const Measurements wanted{
+        Sex::Female,
+        {{"height", 1.60}, {"bust_girth", 1.20}, {"waist_girth", 1.06}, {"hip_girth", 1.26}, {"upper_arm_girth", arm}}};
+    if (const BodyPtr body = made(wanted)) meets(wanted, *body);
+    if (!atLength()) break;
+  }
+}
+
 // The number that is told is one that can be made.
 TEST(Mannequin, TheNearestThatIsToldCanBeMade) {
   Workers workers(1);
