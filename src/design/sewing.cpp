@@ -197,7 +197,10 @@ std::optional<SeamDoubt> otherSide(const Document& document, const SewEdges& sew
   SewEdges meant = sew;
   meant.b.clear();
   for (auto ref = sew.b.rbegin(); ref != sew.b.rend(); ++ref)
-    if (auto image = mirrorImage(document, *ref)) meant.b.push_back(*std::move(image));
+    if (auto image = mirrorImage(document, *ref)) {  // in numbers that are written as they are said
+      image->from = std::round(image->from * 1e9) / 1e9, image->to = std::round(image->to * 1e9) / 1e9;
+      meant.b.push_back(*std::move(image));
+    }
   if (meant.b.size() == sew.b.size() && !overlap(meant.a, meant.b) && !overlap(meant.b, sew.b) &&
       seamsOn(document, meant.b).empty()) {
     const Vec3 image = middleOf(stood(document, meant.b));

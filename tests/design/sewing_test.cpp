@@ -217,6 +217,18 @@ TEST_F(Sewing, AScriptIsAdvised) {
   EXPECT_THAT(advice, ElementsAre("front.shoulder_right and back.shoulder_left lie on opposite sides of the body."));
 }
 
+// What is offered instead of a part is said in the numbers one would write.
+TEST_F(Sewing, ThePartThatIsMeantIsSaidInRoundNumbers) {
+  play(kAcross);
+  std::vector<std::string> mends;
+  Context own = room().context;
+  own.advise = [&](const Advice& said) {
+    if (said.mend) mends.push_back(text(*said.mend));
+  };
+  ASSERT_TRUE(file.perform(*parseOperation("sew a=front.shoulder_right@0:0.043 b=back.shoulder_left@0.957:1"), own));
+  EXPECT_THAT(mends, testing::Contains(testing::EndsWith("@0:0.043 reversed=yes tie=1:1 replace=yes")));
+}
+
 // On the figure: shoulder to shoulder of one piece runs through the neck; the seams of a tunic are no matter of doubt.
 TEST_F(Sewing, AThreadThroughTheBodyIsDoubted) {
   play(
