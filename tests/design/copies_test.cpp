@@ -293,6 +293,23 @@ TEST(Copies, AreLeftAloneByACutThatDoesNotNameThem) {
   EXPECT_THAT(pair.play("merge a=front_left.cut b=upper.cut copies=yes\n"), HasSubstr("have no symmetric copies"));
 }
 
+// Two fronts that become one leave nothing that could be unlike; what is advised takes the side out of the name.
+TEST(Copies, ThatAreMergedAreOnePiece) {
+  Pair pair;
+  std::vector<Operation> mends;
+  std::vector<std::string> said;
+  pair.room.context.advise = [&](const Advice& told) {
+    said.push_back(text(told.what));
+    if (told.mend) mends.push_back(*told.mend);
+  };
+  ASSERT_TRUE(pair.room.play(pair.file, "merge a=front_left.centre b=front_right.centre\n"));
+  EXPECT_THAT(said, testing::Not(testing::Contains(HasSubstr("no longer alike"))));
+  ASSERT_EQ(mends.size(), 1u);
+  EXPECT_EQ(text(mends.front()), "rename piece=front_left to=front");
+  ASSERT_TRUE(pair.room.play(pair.file, text(mends.front()) + "\n"));
+  EXPECT_TRUE(pair.file.document().pieceNamed("front"));
+}
+
 // Across a dart: both halves of the yoke are merged by the one step that is advised.
 TEST(Copies, GetTheirYokesInOneStep) {
   Pair pair("dart edge=front_left.hem at=0.5 tip=150mm,120mm width=3cm\n");

@@ -108,10 +108,26 @@ std::shared_ptr<const Form> mergedForm(const Document& before, const MergePieces
   return whole;
 }
 
+// A piece and its symmetric copy became one: it is no left or right one any more.
+void tellWhole(const Document& before, const Piece& a, const Context& context) {
+  std::string name = a.name;
+  for (const char* side : {"_left", "_right", "left_", "right_"})
+    if (const auto at = name.find(side); at != std::string::npos) name.erase(at, std::string_view(side).size());
+  if (name == a.name || name.empty() || before.pieceNamed(name)) return;
+  Rename rename;
+  rename.piece.name = a.name, rename.to = name;
+  Advice advice{say("“{0}” is both halves in one now; on paper it would better be called “{1}”.", a.name, name)};
+  advice.piece = a.id, advice.mend = std::move(rename);
+  context.advise(advice);
+}
+
 void tellMerged(const Document& before, const MergePieces& op, const PaperMove& move, const Context& context) {
   if (!context.advise) return;
   const Piece &a = *before.find(op.a.front().piece.id), &b = *before.find(op.b.front().piece.id);
-  if (op.copies != Choice::Yes) tellUnlike(before, a, context);
+  if (a.mirrorOf == b.id || b.mirrorOf == a.id)
+    tellWhole(before, a, context);
+  else if (op.copies != Choice::Yes)
+    tellUnlike(before, a, context);
   if (a.fabric != b.fabric)
     context.advise({say("“{0}” was of {1}; all of the piece is cut from {2} now.", b.name, b.fabric, a.fabric)});
   const Flat grain = Curve::line({}, b.grain).rotated({}, move.radians).end;
