@@ -217,6 +217,21 @@ TEST_F(Sewing, AScriptIsAdvised) {
   EXPECT_THAT(advice, ElementsAre("front.shoulder_right and back.shoulder_left lie on opposite sides of the body."));
 }
 
+// A strap may be sewn to an edge before it is bound or turned up as well as after; what is sewn all along is not free.
+TEST(Finishing, IsOfAnEdgeThatHoldsAStrap) {
+  const std::string top =
+      "piece name=top outline=\"M 0 0; hem L 400 0; side L 400 300; upper L 0 300; centre L 0 0\"\n"
+      "rectangle name=strap width=40cm height=1cm edges=\"low right long left\"\n";
+  for (const char* finish : {"binding edges=top.upper width=5mm\n", "hem edges=top.upper width=1cm under=5mm\n"}) {
+    Workroom room;
+    DocumentFile file = DocumentFile::inMemory();
+    const Done done = room.play(file, top + "sew a=strap.left b=top.upper@0.2:0.225\n" + finish);
+    EXPECT_TRUE(done) << text(done.error().what);
+    DocumentFile other = DocumentFile::inMemory();
+    EXPECT_FALSE(room.play(other, top + "sew a=strap.low b=top.upper\n" + finish));
+  }
+}
+
 // What is offered instead of a part is said in the numbers one would write.
 TEST_F(Sewing, ThePartThatIsMeantIsSaidInRoundNumbers) {
   play(kAcross);

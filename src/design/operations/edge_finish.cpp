@@ -141,11 +141,8 @@ Done resolve(const Document& before, TurnHem& op, Context& context) {
     if (op.none && !before.allowances.hems.contains(at)) return refused(say("“{0}” is not turned up.", at.second));
     if (!op.none && (before.allowances.bindings.contains(at) || before.allowances.pipings.contains(at)))
       return refused(say("“{0}” is bound or piped; take that out first.", at.second));
-    for (const auto& [id, seam] : before.pattern.seams)
-      for (const auto* side : {&seam.a, &seam.b})
-        for (const EdgeSpan& span : *side)
-          if (!op.none && span.piece == at.first && span.edge == at.second)
-            return refused(say("“{0}” is sewn to another edge; only a free edge is turned up.", at.second));
+    if (!op.none && heldBySeam(before, at))
+      return refused(say("“{0}” is sewn to another edge; only a free edge is turned up.", at.second));
   }
   return {};
 }

@@ -98,6 +98,16 @@ Done resolveFinished(const Document& before, std::vector<EdgeRef>& edges, Choice
   return {};
 }
 
+bool heldBySeam(const Document& document, const Allowances::At& edge) {
+  constexpr double kHeld = 0.5;  // of its length
+  double sewn = 0;
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto* side : {&seam.a, &seam.b})
+      for (const EdgeSpan& span : *side)
+        if (span.piece == edge.first && span.edge == edge.second) sewn += span.to - span.from;
+  return sewn > kHeld;
+}
+
 std::set<Allowances::At> finishedPlaces(const Document& document, const std::vector<EdgeRef>& named, Choice symmetric) {
   std::set<Allowances::At> all;
   const auto [edges, lines] = parted(document, named);

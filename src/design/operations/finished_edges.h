@@ -24,6 +24,8 @@ std::set<Allowances::At> finishedPlaces(const Document& document, const std::vec
 Done resolveFinishedLines(const Document& before, std::vector<EdgeRef>& named, Choice& symmetric, Context& context);
 // With the inner lines among them as one curve each.
 Document withOneCurveEach(Document document, const std::set<Allowances::At>& edges);
+// Whether a seam holds more of an edge than the place of a strap or a loop: such an edge is not free to be finished.
+bool heldBySeam(const Document& document, const Allowances::At& edge);
 // Cloth that was at rest is no longer.
 Document disturbed(Document document, const std::set<Allowances::At>& edges);
 

@@ -156,7 +156,7 @@ Done resolve(const Document& before, BindEdges& op, Context& context) {
       return refused(say("“{0}” is turned up; let the hem down first: hem edges=… none=yes.", at.second));
     if (before.allowances.pipings.contains(at))
       return refused(say("“{0}” is piped; take the piping out first: piping edges=… none=yes.", at.second));
-    if (!sewnTo(before, at).empty())
+    if (heldBySeam(before, at))
       return refused(say("“{0}” is sewn to another edge; only a free edge is bound.", at.second));
   }
   return {};
