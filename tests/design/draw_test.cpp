@@ -142,6 +142,24 @@ TEST_F(OnTheMannequin, TheAdviceNamesAnEdgeOfThePiece) {
   }
 }
 
+// Near a corner both edges are about as near; the dart that is offered is in the one that the sentence names.
+TEST_F(OnTheMannequin, TheDartThatIsOfferedIsInTheEdgeThatIsNamed) {
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room().play(file, "body size=eu38"));
+  const auto op = parseOperation(
+      "draw name=back symmetric=yes ease=5mm fabric=viscose edges=\"top side ~ hem\" line=\"torso:bust@0.5; "
+      "torso:bust@0.25; torso:waist@0.25; torso:high_hip@0.25; torso:high_hip@0.5\"");
+  ASSERT_TRUE(op);
+  const auto made = drawn(file.document(), std::get<DrawPiece>(*op), room().context);
+  ASSERT_TRUE(made) << text(made.error().what);
+  ASSERT_FALSE(made->advice.empty());
+  const Advice& advice = made->advice.front();
+  ASSERT_TRUE(advice.mend);
+  const auto* dart = std::get_if<AddDart>(&*advice.mend);
+  ASSERT_TRUE(dart) << text(*advice.mend);
+  EXPECT_THAT(dart->edge.edge, testing::StartsWith(text(advice.what.values[3]))) << text(advice.what);
+}
+
 // Where edges meet at an acute corner, the curve of one may curl across the other by a tenth of a millimetre: the back
 // of trousers, at the hem of this figure.
 TEST(DrawnOnAnyone, TheBackOfTrousersOnATallSlimFigure) {

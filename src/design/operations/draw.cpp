@@ -183,7 +183,13 @@ std::vector<Advice> adviceOn(const DrawnSheet& sheet, const Piece& piece) {
     Advice advice{strainSaid(sheet), {}, {}, sheet.worstFlat, {}};
     std::size_t nearest = 0;
     double share = 0, least = 1e9;
+    // The edge that the sentence names; both halves of it are called after it.
+    const auto meant = [&](const Edge& edge) {
+      return edge.name == sheet.nearestEdge || edge.name.starts_with(sheet.nearestEdge + "_");
+    };
+    const bool any = std::any_of(edges.begin(), edges.end(), meant);
     for (std::size_t k = 0; k < edges.size(); ++k) {
+      if (any && !meant(edges[k])) continue;
       constexpr int kSteps = 100;
       const std::vector<Flat> points = edges[k].curve.evenly(0, 1, kSteps);
       for (int i = 0; i <= kSteps; ++i)
