@@ -113,6 +113,23 @@ TEST(Cut, KeepsTheSamePartWhenItsPieceIsMadeOtherwise) {
   EXPECT_TRUE(file.document().pieceNamed("yoke")->outline.find("waist"));
 }
 
+// A line that reached the outline of a small figure's piece may end within a larger one's: told of the cut, not of what
+// comes after it and misses the part.
+TEST(Cut, ThatDividedIsNoSlitOnALargerPiece) {
+  const std::string cut = "cut piece=skirt line=\"-40cm,26cm; 22cm,26cm\" name=yoke\nremove piece=yoke\n";
+  const auto skirt = [](const char* width) {
+    return std::string("rectangle name=skirt width=") + width + " height=50cm edges=\"hem right waist left\"";
+  };
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file, skirt("40cm") + "\n" + cut));
+  const std::string before = hash(file.document());
+  const Done amended = file.amend(1, op(skirt("60cm")), room.context);
+  ASSERT_FALSE(amended);
+  EXPECT_THAT(text(amended.error().what), HasSubstr("does not cut “skirt” in two here"));
+  EXPECT_EQ(hash(file.document()), before);
+}
+
 TEST(Cut, IsToldWhichPartKeepsThePiece) {
   const std::string skirt = "rectangle name=skirt width=40cm height=50cm edges=\"hem right waist left\"\n";
   const auto keeps = [&](const std::string& cut, const char* edge) {

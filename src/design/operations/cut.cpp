@@ -126,6 +126,14 @@ std::vector<bool> leftKept(const CutPiece& op) {
   return left;
 }
 
+// On another figure a line that divided the piece may end within it; what follows is of two parts.
+Done dividesStill(const CutPiece& op, const CutAcross& across, const Piece& whole) {
+  if (op.keeps.empty() || !across.keptLeft.empty()) return {};
+  return refused(say(
+      "The line does not cut “{0}” in two here: it ends within the piece. Lead both its ends well beyond the outline.",
+      whole.name));
+}
+
 // Which sides of the line keep the piece. It is recorded, for on another figure the other part may be the larger, and
 // what was done to the one would be done to the other. Of halves alike it is the left one.
 Result<std::vector<std::string>> sidesKept(const Document& before, const CutPiece& op) {
@@ -135,6 +143,7 @@ Result<std::vector<std::string>> sidesKept(const Document& before, const CutPiec
   };
   const auto across = cutAcrossDarts(before.pattern, whole, op.line, newPart, {}, leftKept(op));
   if (!across) return across.error();
+  if (Done done = dividesStill(op, *across, whole); !done) return done.error();
   std::vector<std::string> sides;
   for (const bool left : across->keptLeft) sides.push_back(left ? "left" : "right");
   const auto& parts = across->cut.pieces;
@@ -160,6 +169,7 @@ Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<
                      linesOfLattice(withElasticLines(before.pattern, before.allowances), whole), leftKept(op));
   if (!across) return across.error();
   CutPieces& cut = across->cut;
+  if (Done done = dividesStill(op, *across, whole); !done) return done.error();
   minted.pieces += static_cast<std::uint32_t>(cut.pieces.size()) - 1;
   if (cut.pieces.size() > 2) {  // of the parts the largest is called as was asked
     const auto largest = std::max_element(cut.pieces.begin() + 1, cut.pieces.end(), [](const Piece& a, const Piece& b) {
