@@ -71,7 +71,8 @@ TEST(StudioBeside, AnotherFabricIsDrapedBesideAndFollowsWhatIsDone) {
   const SnapshotPtr before = beside.fitting();
   w.session().perform(CutPiece{.piece = PieceRef(w.session().snapshot().document.pieceNamed("front")->id),
                                .line = {{0.03, -0.05}, {0.03, 0.15}},
-                               .name = ""});
+                               .name = "",
+                               .keeps = {}});
   await(w);
   EXPECT_NE(beside.fitting(), before);
   EXPECT_EQ(hash(beside.fitting()->document).size(), hash(before->document).size());

@@ -103,7 +103,8 @@ TEST(StudioFit, TwoStatesStandSideBySide) {
   w.main().boards().setCurrentIndex(3);
   w.session().perform(CutPiece{.piece = PieceRef(w.session().snapshot().document.pieceNamed("front")->id),
                                .line = {{0.03, -0.05}, {0.03, 0.15}},
-                               .name = ""});
+                               .name = "",
+                               .keeps = {}});
   w.rest();
   QComboBox* beside = nullptr;
   for (QComboBox* one : w.main().findChildren<QComboBox*>())
