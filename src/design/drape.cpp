@@ -285,6 +285,7 @@ Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& dr
   if (!finer) return finer.error();
   if (!finer->report.settled) return outcome;
   finer->report.finer = true;
+  finer->report.cpuSeconds += outcome->report.cpuSeconds, finer->report.wallSeconds += outcome->report.wallSeconds;
   return finer;
 }
 

@@ -1,6 +1,8 @@
 #include "design/operations/dressing.h"
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
 #include <functional>
 #include <set>
 
@@ -64,7 +66,6 @@ std::vector<double> sharesOf(const Document& document, const std::vector<Stage>&
 void add(SettleReport& sum, const SettleReport& stage) {
   sum.steps += stage.steps, sum.solves += stage.solves;
   sum.fineSteps += stage.fineSteps, sum.fineSolves += stage.fineSolves;
-  sum.cpuSeconds += stage.cpuSeconds, sum.wallSeconds += stage.wallSeconds;
 }
 
 Result<DrapeOutcome> drapedNow(const Document& document, const DrapePieces& op, Context& context) {
@@ -124,7 +125,6 @@ std::optional<Result<DrapeOutcome>> inStages(const Document& before, const Drape
     if (!last && !stopped) continue;
     report.steps = sum.steps, report.solves = sum.solves;
     report.fineSteps = sum.fineSteps, report.fineSolves = sum.fineSolves;
-    report.cpuSeconds = sum.cpuSeconds, report.wallSeconds = sum.wallSeconds;
     const auto inside = [](const Stage& one) { return one.inside; };
     report.finer = op.finer;
     report.insideLast = std::any_of(stages.begin(), stages.end(), inside);
@@ -147,6 +147,19 @@ std::optional<Result<DrapeOutcome>> attempted(const Document& before, const Drap
   return outcome;
 }
 
+// What is given up takes its time, too.
+class TimeSpent {
+ public:
+  void tell(SettleReport& report) const {
+    report.cpuSeconds = static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC;
+    report.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+  }
+
+ private:
+  std::clock_t cpu_ = std::clock();
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+};
+
 // The ways in which a drape that is new is tried, until one goes: all garments at once, which is soonest done; one
 // after another; facings and linings with the rest.
 std::optional<Result<DrapeOutcome>> drapedFirst(const Document& before, const DrapePieces& op, Context& context) {
@@ -166,8 +179,11 @@ std::optional<Result<DrapeOutcome>> drapedFirst(const Document& before, const Dr
 Result<DrapeOutcome> draped(const Document& before, const DrapePieces& op, Context& context) {
   const bool first = !context.recorded && !op.dressed && !op.insideLast && op.stop == 0 && !before.drape.last &&
                      livePieces(before, op.live) == livePieces(before, {});
-  if (auto outcome = first ? drapedFirst(before, op, context) : attempted(before, op, context))
+  const TimeSpent spent;
+  if (auto outcome = first ? drapedFirst(before, op, context) : attempted(before, op, context)) {
+    if (*outcome && ((*outcome)->report.dressed || (*outcome)->report.insideLast)) spent.tell((*outcome)->report);
     return *std::move(outcome);
+  }
   DrapePieces atOnce = op;
   atOnce.dressed = atOnce.insideLast = false;
   return drapedNow(before, atOnce, context);

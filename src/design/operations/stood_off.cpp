@@ -33,17 +33,19 @@ std::shared_ptr<const Form> formOf(const Piece& piece, double spacing) {
   return form;
 }
 
-// The same with normals away from the body.
+// The same with normals away from the body: of a flat piece, which may stand far beside it, from the body's middle; of
+// one that is wrapped round it, from the limb that is nearest.
 std::optional<Sheet> sheetOf(const Piece& piece, double spacing, const Body& body) {
   const auto form = formOf(piece, spacing);
   if (!form) return std::nullopt;
   Sheet sheet{form, std::vector<Vec3>(form->flat.size()), !piece.form};
+  const Vec3 middle = boxOf(body.mesh().points).centre();
   double away = 0;
   for (const Triangle& face : form->faces) {
     const Vec3 a = form->space[face[0]],
                normal = cross(form->space[face[1]] - a, form->space[face[2]] - a);  // as long as twice the area
     for (const std::uint32_t corner : face) sheet.outward[corner] += normal;
-    away += dot(normal, body.field().sample(a).gradient);
+    away += dot(normal, sheet.flat ? a - middle : body.field().sample(a).gradient);
   }
   for (Vec3& normal : sheet.outward) normal = normalized(normal) * (away < 0 ? -1.0 : 1.0);
   return sheet;
