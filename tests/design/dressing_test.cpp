@@ -80,13 +80,14 @@ TEST(Dressing, AGarmentThatStandsWithinAnotherIsPutOnOverIt) {
 }
 
 // At once is soonest done. What is given up there, as garments stand through each other, is put on one after another,
-// which is recorded. A second drape, and a record of before, are not given up.
+// which is recorded. So is what was stopped on the way. What came to rest, and a record of before, is not given up.
 TEST(Dressing, IsChosenWhereGarmentsStandThroughEachOther) {
   Workroom room;
   std::vector<std::string> tried;
   bool cross = true;
   room.context.drape = [&](const Document&, const DrapePieces& drape, Context& own) {
     auto outcome = fallABit({}, {});
+    if (drape.stop > 0) outcome->report.settled = false, outcome->report.stoppedAfter = 3;
     tried.push_back(std::to_string(drape.live.size()) + (own.giveUpCrossed ? " may be given up" : "") +
                     (own.fromCoarsest ? " from the coarsest" : ""));
     if (cross && own.giveUpCrossed) outcome->report.crossed = true, outcome->report.settled = false;
@@ -108,8 +109,13 @@ TEST(Dressing, IsChosenWhereGarmentsStandThroughEachOther) {
   EXPECT_THAT(draped(true), Not(HasSubstr("dressed")));
   EXPECT_THAT(tried, ElementsAre("4"));
   DocumentFile file = DocumentFile::inMemory();
-  ASSERT_TRUE(room.play(file, twoSkirts("6mm")));
+  ASSERT_TRUE(room.play(file, twoSkirts("6mm") + "drape stop=3\n"));
   tried.clear();
+  ASSERT_TRUE(file.perform(DrapePieces{}, room.context));
+  EXPECT_THAT(tried, ElementsAre("4 may be given up", "2", "4 from the coarsest"));
+  tried.clear();
+  file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file, twoSkirts("6mm")));
   room.context.recorded = true;
   DrapePieces old;
   for (const PieceId id : livePieces(file.document(), {})) old.live.emplace_back(id);

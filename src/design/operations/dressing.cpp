@@ -5,6 +5,7 @@
 #include <ctime>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "design/operations/inside_last.h"
 #include "design/operations/stood_off.h"
@@ -160,27 +161,30 @@ class TimeSpent {
   std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
 };
 
-// The ways in which a drape that is new is tried, until one goes: all garments at once, which is soonest done; one
-// after another; facings and linings with the rest.
-std::optional<Result<DrapeOutcome>> drapedFirst(const Document& before, const DrapePieces& op, Context& context) {
+// The ways in which a drape is tried of what never came to rest, until one goes: all garments at once, which is soonest
+// done; one after another; facings and linings with the rest.
+std::optional<Result<DrapeOutcome>> drapedAnew(const Document& before, const DrapePieces& op, Context& context) {
   const bool several = garmentsOf(before, livePieces(before, op.live)).size() > 1;
   DrapePieces way = op;
-  way.insideLast = !wornInsideOut(before.pattern).empty();
+  const bool never = !before.drape.last || before.drape.last->steps == 0;  // it was too small to be draped
+  way.insideLast = never && !wornInsideOut(before.pattern).empty();
   way.dressed = false;
   if (auto outcome = attempted(before, way, context, several)) return outcome;
+  if (!several) return std::nullopt;
   way.dressed = true;
-  if (auto outcome = several ? attempted(before, way, context) : std::nullopt) return outcome;
-  way.insideLast = false;
-  return several ? attempted(before, way, context) : std::nullopt;
+  if (auto outcome = attempted(before, way, context)) return outcome;
+  return std::exchange(way.insideLast, false) ? attempted(before, way, context) : std::nullopt;
 }
 
 }  // namespace
 
 Result<DrapeOutcome> draped(const Document& before, const DrapePieces& op, Context& context) {
-  const bool first = !context.recorded && !op.dressed && !op.insideLast && op.stop == 0 && !before.drape.last &&
-                     livePieces(before, op.live) == livePieces(before, {});
+  // What was stopped, or did not come to rest, may have garments that are not put on yet.
+  const bool rests = before.drape.last && before.drape.last->settled;
+  const bool anew = !context.recorded && !op.dressed && !op.insideLast && op.stop == 0 && !rests &&
+                    livePieces(before, op.live) == livePieces(before, {});
   const TimeSpent spent;
-  if (auto outcome = first ? drapedFirst(before, op, context) : attempted(before, op, context)) {
+  if (auto outcome = anew ? drapedAnew(before, op, context) : attempted(before, op, context)) {
     if (*outcome && ((*outcome)->report.dressed || (*outcome)->report.insideLast)) spent.tell((*outcome)->report);
     return *std::move(outcome);
   }

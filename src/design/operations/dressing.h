@@ -6,8 +6,8 @@
 
 namespace karinui {
 
-// In stages where the record says so or, if it is new, where all of a garment is draped for the first time; the report
-// says what was done. Otherwise at once.
+// In stages where the record says so or, if it is new, where all is draped of what never came to rest; the report says
+// what was done. Otherwise at once.
 Result<DrapeOutcome> draped(const Document& before, const DrapePieces& op, Context& context);
 
 }  // namespace karinui
