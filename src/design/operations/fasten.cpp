@@ -84,6 +84,7 @@ Done decide(const Document& before, Fasten& op) {
   if (zip && (op.count || op.spacing || op.last || op.inset))
     return refused(say("A zip has a length, and where it begins (first); no number, spacing, last or inset."));
   if (!zip && op.length) return refused(say("Only a zip has a length."));
+  if (!zip && op.unpick == Choice::Yes) return refused(say("Only a zip opens a seam."));
   if (op.size && !hasCloth(kind)) return refused(say("Only buttons and snaps have a size."));
   if (op.gap && !traitsOf(kind).gapped) return refused(say("Only a tie holds its places a gap apart."));
   if (op.size && !(*op.size >= 0.004 && *op.size <= 0.06)) return refused(say("A button is 4 to 60 mm wide."));
