@@ -25,6 +25,7 @@ namespace {
 
 constexpr double kSkirtDeep = 0.5;  // metres, first written in the box
 constexpr double kDartDeep = 0.1;   // metres, as the board "Garment" offers it
+constexpr double kApart = 0.1;      // of an edge: the ends of a strap that begins and ends on it
 
 // Qt leaves what an entry says at the foot when the keys go on to one that says nothing, and when that is chosen.
 QMenu* contextMenuOf(QMainWindow& window) {
@@ -341,6 +342,9 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
 void MainWindow::menuOfPlace(PlacePiece place, const QPoint& global) {
   QMenu* menu = contextMenuOf(*this);
   offer(*menu, say("Wrap the chosen piece round here"), place);
+  PlacePiece half = place;
+  half.arc = 0.5;
+  offer(*menu, say("Wrap it half-way round, what is wider in waves"), half);
   place.over = true;
   offer(*menu, say("Wrap it over the cloth that is there"), place);
   menu->popup(global);
@@ -417,6 +421,10 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   skirt.depth = {kSkirtDeep};
   skirt.angle = {std::numbers::pi};
   offer(menu, say("Ring from it…"), [this, skirt] { askNumbers(skirt); });
+  if (led && document.find(led->piece) &&
+      (led->piece != near.piece || led->edge != near.edge || std::fabs(led->fraction - near.fraction) > kApart))
+    offer(menu, say("Strap from {0} to here…", edgeSaid(document, {PieceRef(led->piece), led->edge})),
+          [this, led, near] { askNumbers(strapBetween(session_->snapshot().document, *led, near)); });
   if (led && led->piece != near.piece && document.find(led->piece)) {
     const EdgeRef own{PieceRef(led->piece), led->edge};
     AttachPiece attach;

@@ -53,6 +53,32 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge) {
   return band;
 }
 
+DrawStrap strapBetween(const Document& document, const EdgeNear& from, const std::optional<EdgeNear>& to) {
+  constexpr double kShort = 0.08, kUsual = 0.02;  // metres
+  DrawStrap strap;
+  strap.name = usableName(document, "strap");
+  strap.width = Length{kUsual};
+  bool whole = true;
+  const auto part = [&](const EdgeNear& near) {
+    EdgeRef ref{PieceRef(near.piece), near.edge};
+    const Edge* edge = findEdge(*document.find(near.piece), near.edge);
+    const double length = edge ? edge->curve.length() : 0;
+    if (!(length > kShort)) {
+      strap.width = Length{std::floor(1000 * length) / 1000};
+      return ref;
+    }
+    whole = false;
+    const double half = kUsual / 2 / length;
+    ref.from = std::round(1e4 * std::clamp(near.fraction - half, 0.0, 1 - 2 * half)) / 1e4;
+    ref.to = std::round(1e4 * std::fmin(1, ref.from + 2 * half)) / 1e4;
+    return ref;
+  };
+  strap.from = part(from);
+  if (to) strap.to = part(*to);
+  if (whole && to) strap.width.reset();
+  return strap;
+}
+
 LinePieces hangingLining(const Document& document, const std::vector<PieceRef>& pieces) {
   constexpr double kDown = 0.75;  // cosine: an edge that looks up to 41 degrees from straight down the grain
   const AllowancePlan kinds(document.pattern, document.allowances);
@@ -537,6 +563,10 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
   });
   add("band", say("Band along the chosen edge…"), Of::Edge,
       [chosen, this] { return Operation(bandAlong(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
+  add("strap", say("Strap from the chosen edge…"), Of::Edge, [this] {
+    const auto& edge = session_->selection().edge;
+    return Operation(edge ? strapBetween(session_->snapshot().document, *edge, std::nullopt) : DrawStrap());
+  });
   add("facing", say("Facing along the chosen edge…"), Of::Edge, [chosen, this] {
     const auto edge = chosen();
     return Operation(edge ? facingAlong(session_->snapshot().document, *edge) : FaceEdges{});

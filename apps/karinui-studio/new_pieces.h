@@ -9,6 +9,9 @@ namespace karinui::studio {
 // sleeve's hem, by what the edge and its piece are called; sewn, where none of the run is sewn yet.
 DrawBand bandAlong(const Document& document, const EdgeRef& edge);
 
+// A strap from one place to another, 2 cm wide; of a short edge, as wide as that is.
+DrawStrap strapBetween(const Document& document, const EdgeNear& from, const std::optional<EdgeNear>& to);
+
 // Pleats about 6 cm apart all along an edge, as the dialog first offers them.
 FaceEdges facingAlong(const Document& document, const EdgeRef& edge);  // its run, on symmetric copies too
 AddPleat pleatsIn(const Document& document, const EdgeRef& edge);

@@ -103,7 +103,7 @@ class FieldsArea : public QScrollArea {
 
 bool drawnOnPaper(std::string_view operation) {
   return operation == DrawRectangle::kName || operation == DrawPolygon::kName || operation == DrawRing::kName ||
-         operation == DrawBand::kName;
+         operation == DrawBand::kName || operation == DrawStrap::kName;
 }
 
 }  // namespace
@@ -125,7 +125,8 @@ Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation ope
   if (!plain) return plain.error();
   Workers workers;
   MemoryBlobs blobs;
-  Bodies bodies;
+  Bodies bodies;  // the figure is not built once more
+  if (const BodyPtr& body = session.snapshot().body) bodies.keep(body);
   const Token token;
   Context context{workers, token, blobs, bodies, {}, {}};
   const Document& before = session.snapshot().document;
@@ -135,7 +136,7 @@ Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation ope
     const Done can = checkNumbers(*block);
     return can ? Result(std::shared_ptr<const Piece>()) : can.error();
   }
-  if (std::holds_alternative<AttachPiece>(*plain)) {  // the body is not built for this
+  if (std::holds_alternative<AttachPiece>(*plain)) {  // no piece is new
     const auto meant = resolved(before, *std::move(plain), context);
     return meant ? Result(std::shared_ptr<const Piece>()) : meant.error();
   }

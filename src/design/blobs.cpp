@@ -102,8 +102,14 @@ Result<std::shared_ptr<const Skeleton>> Bodies::skeleton(const BodyChoice& choic
   return skeleton;
 }
 
+void Bodies::keep(BodyPtr body) {
+  const std::lock_guard lock(mutex_);
+  byHash_[body->hash()] = std::move(body);
+}
+
 Result<BodyPtr> Bodies::find(const BodyChoice& choice, const Blobs& blobs, Workers& workers, const Token& token) {
   if (!choice.pose.empty()) {
+    if (const BodyPtr kept = known(choice.hash); kept && kept->pose() == choice.pose) return kept;
     const auto bones = skeleton(choice, blobs, workers, token);
     if (!bones) return bones.error();
     const std::lock_guard lock(mutex_);

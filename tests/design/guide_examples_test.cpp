@@ -90,6 +90,10 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
        "line piece=skirt along=\"24cm,0; 24cm,50cm\" name=place\n"},
       {"patch piece=pocket", kPieces},
       {"sew a=strap.low", kPieces + "rectangle name=strap width=8cm height=30cm edges=\"low left high right\"\n"},
+      {"strap name=strap_left",
+       "body size=eu38\nrectangle name=front width=44cm height=40cm\nrectangle name=back width=44cm height=40cm\n"
+       "place piece=front at=torso:armpit@0 point=\"0,38cm\"\nplace piece=back at=torso:armpit@0.5 point=\"0,38cm\"\n"
+       "sew a=front.side_left b=back.side_right\nsew a=front.side_right b=back.side_left\n"},
       {"pivot dart=front.dart", "body size=eu38\nblock kind=bodice\n"},
       {"cut piece=skirt_front", kSkirt},
       {"spread from=skirt.hem", kTop + kPieces},

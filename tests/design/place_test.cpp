@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "design/standing.h"
 #include "design/workroom.h"
 #include "karinui/pattern/truing.h"
 
@@ -481,6 +482,95 @@ TEST_F(Placed, AShirtBlockGoesOverABelly) {
   EXPECT_NEAR(belly[0], (1.04 + 0.12) / 4, 0.005);
   EXPECT_NEAR(usual[1], -0.26, 1e-9);
   EXPECT_NEAR(belly[1], -0.26 - (belly[2] - belly[3]), 1e-6);
+}
+
+// Of cloth half as long again as the body is round, the end that is named lies on top of the other.
+TEST_F(Placed, ClothGoesRoundMoreThanOnce) {
+  for (const bool left : {true, false}) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(
+        file,
+        std::string(
+            "body size=jis9ar\nrectangle name=kilt width=\"hip_girth*1.5\" height=40cm edges=\"hem left waist right\"\n"
+            "place piece=kilt at=\"torso:waist@0.5\" point=\"0,39cm\" ease=1cm wrap=") +
+            (left ? "left" : "right") + "\n");
+    ASSERT_TRUE(done) << text(done.error().what);
+    const Document& document = file.document();
+    const Piece& kilt = *document.pieceNamed("kilt");
+    EXPECT_LT(strained(kilt), 0.01);
+
+    const auto& form = *kilt.form;
+    const BodyPtr body = bodyOf(document, room().context).value();
+    double least = 1;
+    int compared = 0;
+    for (std::size_t i = 0; i < form.flat.size(); ++i) {
+      std::size_t beside = i;
+      double near = 1;
+      for (std::size_t j = 0; j < form.flat.size(); ++j)
+        if (std::fabs(form.flat[i].u - form.flat[j].u) > 0.3 && distance(form.space[i], form.space[j]) < near)
+          near = distance(form.space[i], form.space[j]), beside = j;
+      least = std::fmin(least, near);
+      EXPECT_GT(body->bvh().signedDistance(form.space[i]), 0.005);
+      const bool atLeft = findEdge(kilt, "left")->curve.start.u - form.flat[i].u < 0.02;
+      if (near > 0.03 || !atLeft) continue;
+      EXPECT_EQ(body->bvh().signedDistance(form.space[i]) > body->bvh().signedDistance(form.space[beside]), left);
+      ++compared;
+    }
+    EXPECT_GT(compared, 20);
+    EXPECT_GT(least, 0.005) << "its turns keep clear of each other";
+    EXPECT_LT(least, 0.02) << "and lie over each other";
+  }
+}
+
+// The front and the back of a gathered skirt stand before and behind the body in waves, side to side.
+TEST_F(Placed, AWideFrontAndBackStandInWaves) {
+  const std::string panels =
+      "body size=jis9ar\nrectangle name=front width=\"hip_girth*1.2\" height=50cm edges=\"hem left waist right\"\n"
+      "rectangle name=back width=\"hip_girth*1.2\" height=50cm edges=\"hem left waist right\"\n";
+  auto file = DocumentFile::inMemory();
+  const Done done = room().play(file, panels +
+                                          "place piece=front at=\"torso:hip@0\" ease=2cm arc=0.5\n"
+                                          "place piece=back at=\"torso:hip@0.5\" ease=2cm arc=0.5\n");
+  ASSERT_TRUE(done) << text(done.error().what);
+  const Piece &front = *file.document().pieceNamed("front"), &back = *file.document().pieceNamed("back");
+  const auto body = bodyOf(file.document(), room().context);
+  const auto side = [](const Piece& piece, const char* edge) {
+    return Stand(piece)(findEdge(piece, edge)->curve.atFraction(0.5));
+  };
+  EXPECT_LT(distance(side(front, "left"), side(back, "right")), 0.03);
+  EXPECT_LT(distance(side(front, "right"), side(back, "left")), 0.03);
+  for (const Piece* piece : {&front, &back}) {
+    EXPECT_LT(strained(*piece), 0.12);
+    double furthest = 0;
+    for (const Vec3 p : piece->form->space) {
+      const double off = (*body)->bvh().signedDistance(p);
+      EXPECT_GT(off, 0.005);
+      furthest = std::fmax(furthest, off);
+    }
+    EXPECT_GT(furthest, 0.05) << "waves";
+    EXPECT_LT(furthest, 0.25);
+  }
+}
+
+// Each as one ring they stand in each other, which is told with the mend.
+TEST_F(Placed, RingsInEachOtherAreTold) {
+  Context context = room().context;
+  std::vector<Advice> told;
+  context.advise = [&](const Advice& advice) { told.push_back(advice); };
+  Document document;
+  for (const char* line : {"body size=jis9ar", "rectangle name=front width=110cm height=50cm",
+                           "rectangle name=back width=110cm height=50cm", "place piece=front at=torso:hip@0 ease=2cm",
+                           "place piece=back at=torso:hip@0.5 ease=2cm"}) {
+    auto next = apply(document, op(line), context);
+    ASSERT_TRUE(next) << text(next.error().what);
+    document = *std::move(next);
+  }
+  ASSERT_EQ(told.size(), 1u);
+  ASSERT_TRUE(told[0].mend);
+  EXPECT_EQ(std::get<PlacePiece>(*told[0].mend).arc, 0.5);
+  told.clear();
+  ASSERT_TRUE(apply(document, op("place piece=back at=torso:hip@0.5 ease=2cm arc=0.5"), context));
+  EXPECT_TRUE(told.empty());
 }
 
 }  // namespace

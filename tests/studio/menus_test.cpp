@@ -276,6 +276,9 @@ TEST(StudioMenus, ABandAlongANecklineAndAPieceWrappedWhereOnePoints) {
   rightClick(w, w.space(), w.onSkin("left_leg:knee@0"));
   chooseEntry(w, "Wrap the chosen piece round here");
   EXPECT_THAT(w.last(), AllOf(StartsWith("place piece="), HasSubstr("left_leg:")));
+  rightClick(w, w.space(), w.onSkin("right_leg:knee@0"));
+  chooseEntry(w, "Wrap it half-way round, what is wider in waves");
+  EXPECT_THAT(w.last(), AllOf(StartsWith("place piece="), HasSubstr("arc=0.5")));
 }
 
 TEST(StudioMenus, BothPlacesOfASlashAreShownAsShares) {

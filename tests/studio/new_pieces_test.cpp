@@ -227,6 +227,33 @@ TEST(StudioNewPieces, ACollarOfTheNecklineByItsNumbers) {
   EXPECT_EQ(told, 1);
 }
 
+// One place of an edge chosen, the right button on another: the strap goes over the shoulder and is sewn at both ends.
+TEST(StudioNewPieces, AStrapFromOneEdgeToAnother) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  const std::size_t before = w.count(), seams = w.session().snapshot().document.pattern.seams.size();
+  w.click(w.table(), w.onTable("front", findEdge(piece(w, "front"), "armhole_left")->curve.atFraction(0.3)));
+  ASSERT_TRUE(w.session().selection().edge);
+  menuOn(w, "back", "armhole_left");
+  ASSERT_TRUE(choose(w, "Strap from *")) << w.main().said().toStdString();
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(numbers.line("width").text(), "2 cm");
+    EXPECT_EQ(numbers.said(), "");
+    numbers.type("width", "3");
+    numbers.accept();
+  }
+  ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
+  const auto& strap = std::get<DrawStrap>(w.session().steps()[before].operation);
+  ASSERT_TRUE(strap.over);
+  EXPECT_EQ(strap.over->landmark, "shoulder_left");
+  EXPECT_NEAR(draftedLength(w, "strap", "low"), 0.03, 1e-5);
+  EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), seams + 2);
+}
+
 TEST(StudioNewPieces, AChosenEdgeIsLedAlongOthersAndSewn) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

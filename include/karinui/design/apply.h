@@ -52,6 +52,7 @@ class Bodies {
   Result<std::shared_ptr<const Skeleton>> skeleton(const BodyChoice& choice, const Blobs& blobs, Workers& workers,
                                                    const Token& token);
   BodyPtr known(const std::string& hash) const;  // null: not built here yet
+  void keep(BodyPtr body);                       // one that was built elsewhere, as it stands
 
  private:
   mutable std::mutex mutex_;

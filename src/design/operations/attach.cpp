@@ -6,6 +6,7 @@
 
 #include "design/operations/limb.h"
 #include "design/operations/new_piece.h"
+#include "design/operations/strap_way.h"
 #include "design/sewn_corners.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
@@ -73,21 +74,6 @@ std::string_view stem(std::string_view name) {
 struct Along {
   double share = 0, off = 0;  // along the edge; to its left, metres
 };
-
-// The cloth that stands already, but for one piece. Null: there is none.
-std::unique_ptr<Bvh> standingCloth(const Document& document, PieceId without) {
-  TriangleMesh cloth;
-  for (const auto& [id, piece] : document.pattern.pieces) {
-    if (id == without || !piece->form) continue;
-    const auto first = static_cast<std::uint32_t>(cloth.points.size());
-    for (const Vec3 p : piece->form->space) cloth.points.push_back(piece->pose(p));
-    for (auto face : piece->form->faces) {
-      for (auto& corner : face) corner += first;
-      cloth.faces.push_back(face);
-    }
-  }
-  return cloth.faces.empty() ? nullptr : std::make_unique<Bvh>(cloth);
-}
 
 // By how much a piece is turned outwards at each place of a run.
 class TurnsAlong {
@@ -198,6 +184,20 @@ std::optional<BodyPoint> placeOn(const Body& body, BodyPoint::Part part, Vec3 wi
 }
 
 }  // namespace
+
+std::unique_ptr<Bvh> standingSheets(const Document& document, const std::set<PieceId>& without) {
+  TriangleMesh cloth;
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    if (without.contains(id) || !piece->form) continue;
+    const auto first = static_cast<std::uint32_t>(cloth.points.size());
+    for (const Vec3 p : piece->form->space) cloth.points.push_back(piece->pose(p));
+    for (auto face : piece->form->faces) {
+      for (auto& corner : face) corner += first;
+      cloth.faces.push_back(face);
+    }
+  }
+  return cloth.faces.empty() ? nullptr : std::make_unique<Bvh>(cloth);
+}
 
 Done decideRound(const Document& before, const std::vector<EdgeRef>& edges, std::optional<BodyPoint>& round,
                  Context& context) {
@@ -375,7 +375,7 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
   std::vector<double> turns(run.place.size(), fold.turn);
   TurnsAlong along(run, onward, out, depth);
   if (back)
-    turns = along.turnedBack(fold.turn, body, standingCloth(document, piece.id).get());
+    turns = along.turnedBack(fold.turn, body, standingSheets(document, {piece.id}).get());
   else if (body)
     turns = along.outwards(fold.turn, *body);
   for (const Along& a : on) {
@@ -407,6 +407,7 @@ Result<Piece> ledTo(const Document& document, Piece piece, const std::string& ed
   place.point = piece.outline.edges[*piece.outline.find(edge)].curve.atFraction(0.5);
   place.ease = Length{kRoom};
   place.cone = Choice::No;
+  place.wrap = fold.wrap;
   double up = 0;
   for (const Vec3 way : run.onward) up += way.y;
   if (up < 0) place.turn = Angle{std::numbers::pi};  // below a hem
@@ -419,6 +420,38 @@ Result<Piece> ledTo(const Document& document, Piece piece, const std::string& ed
   return stood ? stood : attached(document, std::move(piece), edge, run, fold, body);
 }
 
+namespace {
+
+// A strap has a second end, and a figure to go over.
+Done resolveStrap(const Document& before, AttachPiece& op, Context& context) {
+  if (!op.end || op.endTo.empty())
+    return refused(
+        say("A strap has two ends: say the edge at its other end and where that comes to: end=strap.top "
+            "end_to=back.top."));
+  if (op.turn != 0 || op.turned || op.clear != Choice::Auto || op.round)
+    return refused(say("A strap lies on the body: leave turn=, turned=, clear= and round= away."));
+  op.end->from = 0, op.end->to = 1;
+  if (Done done = resolve(before, *op.end); !done) return done;
+  if (op.end->piece != op.edge.piece || op.end->edge == op.edge.edge)
+    return refused(say("The other end of a strap is another edge of the same piece."));
+  if (Done done = orderRun(before, op.endTo); !done) return done;
+  for (const EdgeRef& edge : op.endTo)
+    if (edge.piece == op.edge.piece) return refused(say("A piece cannot be led along its own edge."));
+  return settleWay(before, strapEnd(before, op.to), strapEnd(before, op.endTo), op.over, context);
+}
+
+Result<Document> strapLed(const Document& before, const AttachPiece& op, const Body& body) {
+  const Piece& piece = *before.find(op.edge.piece.id);
+  const auto middle = [&](const EdgeRef& edge) { return findEdge(piece, edge.edge)->curve.atFraction(0.5); };
+  const auto way = strapWay(before, piece.id, body, strapEnd(before, op.to), strapEnd(before, op.endTo), op.over);
+  if (!way) return way.error();
+  auto laid = laidAlong(before, piece, middle(op.edge), middle(*op.end), *way, body);
+  if (!laid) return laid.error();
+  return withPiece(before, *std::move(laid));
+}
+
+}  // namespace
+
 Done resolve(const Document& before, AttachPiece& op, Context& context) {
   op.edge.from = 0, op.edge.to = 1;
   if (Done done = resolve(before, op.edge); !done) return done;
@@ -426,6 +459,7 @@ Done resolve(const Document& before, AttachPiece& op, Context& context) {
   for (const EdgeRef& edge : op.to)
     if (edge.piece == op.edge.piece) return refused(say("A piece cannot be led along its own edge."));
   if (!(std::abs(op.turn) <= 4)) return refused(say("That turn is too large."));
+  if (op.end || !op.endTo.empty() || op.over) return resolveStrap(before, op, context);
   decideClear(op.turn, op.clear, context);
   return decideRound(before, op.to, op.round, context);
 }
@@ -437,6 +471,7 @@ Result<Document> perform(const Document& before, const AttachPiece& op, Context&
     if (!found) return found.error();
     body = *found;
   }
+  if (op.end) return strapLed(before, op, *body);
   auto piece = ledTo(before, *before.find(op.edge.piece.id), op.edge.edge, runOf(before, op.to),
                      {op.turn, op.turned, op.clear == Choice::Yes}, body.get(), op.round);
   if (!piece) return piece.error();

@@ -50,6 +50,10 @@ Done resolve(const Document& before, DrawBand& op, Context& context) {
   if (op.sew) decideClear(op.turn, op.clear, context);
   if (op.turned && !op.sew) return refused(say("Only a band that is sewn on is turned over: sew=yes."));
   if (op.round && !op.sew) return refused(say("Only a band that is sewn on is led round the body: sew=yes."));
+  if (!op.wrap.empty() && !op.sew) return refused(say("Only a band that is sewn on is led round the body: sew=yes."));
+  if (!op.wrap.empty() && op.wrap != op.edges[1] && op.wrap != op.edges[3])
+    return refused(
+        say("One end of “{0}” lies on top, {1} or {2}; “{3}” is neither.", op.name, op.edges[1], op.edges[3], op.wrap));
   if (!op.sew) return {};
   if (Done done = decideRound(before, op.of, op.round, context); !done) return done;
   for (const EdgeRef& edge : op.of)
@@ -82,8 +86,8 @@ Result<Document> perform(const Document& before, const DrawBand& op, Context& co
   }
   const SpaceRun run = runOf(before, op.of);
   const PieceId id = piece->id;
-  auto stood = ledTo(before, *std::move(piece), op.edges[0], run, {op.turn, op.turned, op.clear == Choice::Yes},
-                     body.get(), op.round);
+  auto stood = ledTo(before, *std::move(piece), op.edges[0], run,
+                     {op.turn, op.turned, op.clear == Choice::Yes, op.wrap}, body.get(), op.round);
   if (!stood) return stood.error();
   Document after = withPiece(before, *std::move(stood));
   Seam seam;
@@ -97,7 +101,7 @@ Result<Document> perform(const Document& before, const DrawBand& op, Context& co
   if (op.ratio < 0.7 || op.ratio > 1.4) seam.tie = Seam::Tie::TwoToOne;
   after.pattern.seams[seam.id] = seam;
   if (op.eased == Choice::Yes && op.ratio != 1) after.eases[seam.id] = std::abs(op.ratio - 1) * lengthOf(before, op.of);
-  const bool closed = run.closed && op.extra <= 1e-3;
+  const bool closed = run.closed && op.extra <= 1e-3 && op.wrap.empty();
   tellShut(before, op, closed, context);
   if (!closed) return after;
   Seam ends;

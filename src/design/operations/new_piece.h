@@ -1,5 +1,6 @@
 #pragma once
 // What operations that draw a piece on paper share. Metres.
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,12 +40,15 @@ std::optional<std::vector<EdgeRef>> asOneRun(const Document& document, const std
 // Puts a run in the outlines' own order; refuses edges that do not follow each other.
 Done orderRun(const Document& before, std::vector<EdgeRef>& run);
 SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run);
+// The cloth that stands already, but for some pieces. Null: there is none.
+std::unique_ptr<Bvh> standingSheets(const Document& document, const std::set<PieceId>& without);
 // How a piece goes on beyond an edge: folded outwards by an angle, and turned over, so that its wrong side lies on the
 // other's wrong side.
 struct FoldedOn {
   double turn = 0;
   bool over = false;
-  bool clear = false;  // beyond a right angle, only as far as the body and standing cloth let it
+  bool clear = false;     // beyond a right angle, only as far as the body and standing cloth let it
+  std::string wrap = {};  // the edge on top, where it is led round the body more than once
 };
 // Auto becomes yes beyond a right angle; a record made before there was a choice keeps its meaning.
 void decideClear(double turn, Choice& clear, const Context& context);

@@ -63,6 +63,7 @@ KARINUI_DECLARE_OPERATION(DrawRectangle)  // paper.cpp
 KARINUI_DECLARE_OPERATION(DrawPolygon)
 KARINUI_DECLARE_OPERATION(DrawRing)
 KARINUI_DECLARE_OPERATION(DrawBand)     // band.cpp
+KARINUI_DECLARE_OPERATION(DrawStrap)    // strap.cpp
 KARINUI_DECLARE_OPERATION(AttachPiece)  // attach.cpp
 KARINUI_DECLARE_OPERATION(UnfoldPiece)
 KARINUI_DECLARE_OPERATION(DraftBlock)  // block.cpp; the drafts are in design/blocks

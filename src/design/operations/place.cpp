@@ -9,7 +9,9 @@
 #include "design/operations/limb.h"
 #include "design/operations/new_piece.h"
 #include "design/operations/place_cone.h"
+#include "design/operations/spiral.h"
 #include "design/operations/tapered_tube.h"
+#include "design/operations/waves.h"
 #include "karinui/base/number.h"
 #include "karinui/pattern/pleats.h"
 
@@ -99,6 +101,21 @@ Done onItsPaper(const Piece& piece, const FlatBox& box, Flat place) {
                      piece.name, said(box.low), said(box.high)));
 }
 
+// The edge that lies on top is at one of the two ends of what is wound.
+Done atAnEnd(const Document& before, const Piece& piece, const PlacePiece& op) {
+  EdgeRef top{op.piece, op.wrap};
+  if (Done done = resolve(before, top); !done) return done;
+  constexpr double kEnd = 0.25;  // of the width, from either side
+  Ring paper = piece.outline.flattened(1e-3);
+  for (Flat& p : paper) p = turned(p, op.turn);
+  const FlatBox box = boxOf(paper);
+  const double at = turned(findEdge(piece, op.wrap)->curve.atFraction(0.5), op.turn).u,
+               share = (at - box.low.u) / (box.high.u - box.low.u);
+  if (share < kEnd || share > 1 - kEnd) return {};
+  return refused(say("{0}.{1} is at neither end of what goes round; name the edge of the end that lies on top.",
+                     piece.name, op.wrap));
+}
+
 bool armsRaised(const BodyPose& pose) {
   constexpr double kRaised = 60 * kDegree;  // from hanging; level are 90
   return std::all_of(std::begin(kShoulders), std::end(kShoulders), [&](Joint shoulder) {
@@ -128,6 +145,47 @@ void tellThroughBody(const Piece& piece, const Body& body, const BodyPose& pose,
              piece.name, std::round(where.y * 100))});
 }
 
+// Two wide pieces that each go all the way round stand in each other, where a front and a back were meant.
+void tellRingInRing(const Document& before, const Piece& piece, const PlacePiece& op, const Context& context) {
+  constexpr double kBesideIt = 0.01, kMuch = 0.05;  // metres; of the places of its form
+  constexpr double kCloses = 0.03, kSide = 1e-3;    // metres between its two sides; of a side's places
+  if (!context.advise || op.arc > 0 || !op.wrap.empty()) return;
+  double low = 1e9, high = -1e9;
+  for (const Flat p : piece.form->flat) {
+    const double u = turned(p, op.turn).u;
+    low = std::fmin(low, u), high = std::fmax(high, u);
+  }
+  const auto sideAt = [&](double u) {  // the mean of its places
+    Vec3 sum;
+    double count = 0;
+    for (std::size_t k = 0; k < piece.form->flat.size(); ++k)
+      if (std::fabs(turned(piece.form->flat[k], op.turn).u - u) < kSide) sum += piece.form->space[k], ++count;
+    return sum * (1 / count);
+  };
+  if (distance(sideAt(low), sideAt(high)) > kCloses) return;
+  for (const auto& [id, other] : before.pattern.pieces) {
+    if (id == piece.id || !other->form) continue;
+    TriangleMesh cloth;
+    for (const Vec3 p : other->form->space) cloth.points.push_back(other->pose(p));
+    cloth.faces = other->form->faces;
+    const Bvh near(cloth);
+    const auto within = std::count_if(piece.form->space.begin(), piece.form->space.end(),
+                                      [&](Vec3 p) { return near.nearest(piece.pose(p), kBesideIt).has_value(); });
+    if (static_cast<double>(within) < kMuch * static_cast<double>(piece.form->space.size())) continue;
+    PlacePiece half = op;
+    half.arc = 0.5;
+    context.advise(
+        {say("“{0}” stands in “{1}”: each is wider than its part of the way round. Place both for their part, "
+             "in waves: place piece={1} … arc=0.5.",
+             piece.name, other->name),
+         piece.id,
+         {},
+         {},
+         half});
+    return;
+  }
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const Lattice>> layAlone(const Piece& piece, double spacing) {
@@ -154,12 +212,26 @@ Done resolve(const Document& before, PlacePiece& op, Context& context) {
   if (!(length(*op.point) <= 100)) return refused(say("That place is not on the paper."));
   if (!context.recorded && !recordOfBefore)
     if (Done done = onItsPaper(piece, box, *op.point); !done) return done;
+  if (!op.wrap.empty())
+    if (Done done = atAnEnd(before, piece, op); !done) return done;
   const bool ring = sectorOf(piece).has_value();
   if (op.cone == Choice::Yes && !ring)
     return refused(say("“{0}” is no sector of a ring; only such a piece stands as a cone.", piece.name));
-  if (op.cone == Choice::Auto) op.cone = ring && !op.taper ? Choice::Yes : Choice::No;
+  if (!(op.arc >= 0 && op.arc <= 1)) return refused(say("A piece takes between none and all (1) of the way round."));
+  if (op.arc > 0 && !op.wrap.empty())
+    return refused(say("What goes round more than once takes all of the way round; leave arc= away."));
+  const bool plain = !op.taper && op.wrap.empty() && op.arc == 0;
+  if (op.cone == Choice::Auto) op.cone = ring && plain ? Choice::Yes : Choice::No;
   if (op.cone == Choice::Yes && op.taper)
     return refused(say("A piece stands as a cone or as a tube that narrows with the limb; say only one of them."));
+  if (op.arc > 0 && (op.cone == Choice::Yes || op.taper))
+    return refused(
+        say("A piece that takes a share of the way round stands neither as a cone nor as a tube that narrows "
+            "with the limb; leave cone= and taper= away."));
+  if (!op.wrap.empty() && (op.cone == Choice::Yes || op.taper))
+    return refused(
+        say("A piece that goes round more than once stands neither as a cone nor as a tube that narrows with "
+            "the limb; leave cone= and taper= away."));
   return {};
 }
 
@@ -167,6 +239,7 @@ namespace {
 
 // A piece that is to stand before its place on the body.
 struct WishedPlace {
+  const Piece& piece;
   const PlacePiece& op;
   const Body& body;
   LimbFrame limb = {};
@@ -221,12 +294,27 @@ Done standAsCone(const WishedPlace& wish, const RingSector& sector, Form& form) 
   return {};
 }
 
-// A tube must close: a piece wider than the girth stands further off, its two sides a hair apart.
+// A tube must close: a piece wider than the girth stands further off, its two sides a hair apart; or it goes round more
+// than once, or stands in waves.
 void standAsTube(const WishedPlace& wish, Form& form) {
   std::vector<Flat> all;
   for (const SkinPlace& p : wish.skin) all.push_back(p.place);
   const Ring tape = hull(std::move(all));
   const double width = wish.box.high.u - wish.box.low.u;
+  const Girth near(grown(tape, std::fmax(*wish.op.ease, 1e-4)));
+  const auto stand = [&](const auto& section) {
+    for (const Flat p : form.flat) {
+      const Flat d = wish.lies(p);
+      form.space.push_back(wish.limb.inSpace(section.at(d.u), d.v));
+    }
+  };
+  if (wish.op.arc > 0 && width > wish.op.arc * near.length())
+    return stand(
+        Waves(near, near.nearest({0, -*wish.op.ease}), wish.box.low.u, wish.box.high.u, wish.op.arc * near.length()));
+  if (const Edge* top = findEdge(wish.piece, wish.op.wrap)) {
+    const bool lowOnTop = wish.lies(top->curve.atFraction(0.5)).u < lerp(wish.box.low, wish.box.high, 0.5).u;
+    return stand(Spiral(near, near.nearest({0, -*wish.op.ease}), wish.box.low.u, wish.box.high.u, lowOnTop));
+  }
   const double ease = std::fmax(*wish.op.ease, (width + 0.002 - perimeter(tape)) / (2 * std::numbers::pi));
   const Girth girth(grown(tape, std::fmax(ease, 1e-4)));
   const double anchor = girth.nearest({0, -ease});
@@ -241,7 +329,7 @@ void standAsTube(const WishedPlace& wish, Form& form) {
 Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op, const Body& body) {
   const auto place = body.find(op.at);
   if (!place) return place.error();
-  WishedPlace wish{op, body};
+  WishedPlace wish{piece, op, body};
   wish.paper = piece.outline.flattened(1e-3);
   for (Flat& p : wish.paper) p = wish.lies(p);
   const FlatBox& box = wish.box = boxOf(wish.paper);
@@ -286,6 +374,7 @@ Result<Document> perform(const Document& before, const PlacePiece& op, Context& 
   auto piece = placed(before, *before.find(op.piece.id), op, **body);
   if (!piece) return piece.error();
   tellThroughBody(*piece, **body, before.body.pose, context);
+  tellRingInRing(before, *piece, op, context);
   const std::vector<PaperPleat> pleats = pleatsOf(before.pattern);
   if (context.advise &&
       std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) { return pleat.piece == op.piece.id; }))

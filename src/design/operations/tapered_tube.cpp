@@ -61,6 +61,12 @@ Flat Girth::at(double s) const {
   return part > 0 ? lerp(a, b, std::fmin(1, (s - start_[i]) / part)) : a;
 }
 
+Flat Girth::outwards(double s) const {
+  constexpr double kAbout = 0.005;  // metres to either side
+  const Flat way = normalized(at(s + kAbout) - at(s - kAbout));
+  return {way.v, -way.u};
+}
+
 double Girth::nearest(Flat place) const {
   double best = 0, least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring_.size(); ++i) {

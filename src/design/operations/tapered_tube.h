@@ -13,6 +13,7 @@ class Girth {
   explicit Girth(Ring ring);
   double length() const { return length_; }
   Flat at(double s) const;
+  Flat outwards(double s) const;  // unit, the mean of a centimetre about the place
   double nearest(Flat place) const;
 
  private:

@@ -31,6 +31,10 @@ inline constexpr std::string_view kClearHelp =
 inline constexpr std::string_view kRoundHelp =
     "where on the body it is led round while the run's edges stand apart (otherwise beside the run's middle, on the "
     "part most of the run lies by)";
+inline constexpr std::string_view kWrapHelp =
+    "the edge of it that lies on top, for what goes round the body more than once (otherwise it stands as one ring)";
+inline constexpr std::string_view kOverHelp =
+    "where on the body it goes over (otherwise a shoulder, the nape, or straight across, by where its ends are)";
 
 inline constexpr std::string_view kSeamsWithinHelp =
     "the seams within the piece too, as those of its darts: auto, yes, no (auto: yes, but no in a record that does not "

@@ -104,6 +104,7 @@ struct DrawBand {
   int layer = 0;
   Choice clear = Choice::Auto;
   std::optional<BodyPoint> round;
+  std::string wrap;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("name", self.name, "the new piece's name", kNeeded);
@@ -121,11 +122,42 @@ struct DrawBand {
     visit("eased", self.eased,
           "the difference that ratio= makes is meant, as ease declares it: auto, yes, no (auto: yes)", kOptional);
     visit("edges", self.edges, "names of its edges: low end_left top end_right; the first is sewn", kOptional);
+    visit("wrap", self.wrap, kWrapHelp, kOptional);
     visitCloth(self, visit);
   }
   bool operator==(const DrawBand&) const = default;
 };
 
-using PaperOperations = OperationList<DrawRectangle, DrawPolygon, DrawRing, DrawBand>;
+// strap name=strap_left from=front.top@0.1:0.3 to=back.top@0.7:0.9 width=2cm
+// `over` is settled where it is left open.
+struct DrawStrap {
+  static constexpr std::string_view kName = "strap";
+  static constexpr std::string_view kHelp =
+      "Draws a strap as long as the way over the body from one edge to another, stands it there and sews its ends.";
+  std::string name;
+  EdgeRef from, to;
+  std::optional<BodyPoint> over;
+  std::optional<Length> width, length;
+  Length ease;
+  std::vector<std::string> edges;
+  std::string fabric;
+  int layer = 0;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("name", self.name, "the new piece's name", kNeeded);
+    visit("from", self.from, "the part of an edge or inner line where it begins", kNeeded);
+    visit("to", self.to, "the part where it ends", kNeeded);
+    visit("over", self.over, kOverHelp, kOptional);
+    visit("width", self.width, "how wide it is, about the middle of each part (otherwise as wide as the parts are)",
+          kOptional);
+    visit("length", self.length, "its length between the seams (otherwise measured over the body)", kOptional);
+    visit("ease", self.ease, "added to the length that is measured; below nothing it is tighter", kOptional);
+    visit("edges", self.edges, "names of its edges: low side_right top side_left; low and top are sewn", kOptional);
+    visitCloth(self, visit);
+  }
+  bool operator==(const DrawStrap&) const = default;
+};
+
+using PaperOperations = OperationList<DrawRectangle, DrawPolygon, DrawRing, DrawBand, DrawStrap>;
 
 }  // namespace karinui

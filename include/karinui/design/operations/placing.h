@@ -2,6 +2,7 @@
 // Where rigid pieces stand: moved, placed on the body, attached to others, layered, removed.
 // Conventions of the structs: field.h.
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct PlacePiece {
   Choice cone = Choice::Auto;
   bool over = false;
   bool taper = false;
+  std::string wrap;
+  double arc = 0;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to place", kNeeded);
@@ -56,11 +59,17 @@ struct PlacePiece {
     visit("over", self.over, "yes: round the cloth that is there too, not only round the body", kOptional);
     visit("taper", self.taper, "yes: at every height as narrow as the piece is there, as a sleeve narrows with the arm",
           kOptional);
+    visit("wrap", self.wrap, kWrapHelp, kOptional);
+    visit("arc", self.arc,
+          "the share of the way round that it takes, 0.5 as a front or back; what is wider stands in upright waves "
+          "(otherwise it takes its own width)",
+          kOptional);
   }
   bool operator==(const PlacePiece&) const = default;
 };
 
 // attach edge=collar.low to="front.neck_left front.neck_right back.neck"
+// attach edge=strap.low to=front.top@0.2:0.25 end=strap.top end_to=back.top@0.75:0.8 over=line:shoulder_left@0.5
 struct AttachPiece {
   static constexpr std::string_view kName = "attach";
   static constexpr std::string_view kHelp = "Stands a piece with one edge along a run of edges of others.";
@@ -70,6 +79,9 @@ struct AttachPiece {
   bool turned = false;
   Choice clear = Choice::Auto;
   std::optional<BodyPoint> round;
+  std::optional<EdgeRef> end;
+  std::vector<EdgeRef> endTo;
+  std::optional<BodyPoint> over;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge of the piece that is led there", kNeeded);
@@ -79,6 +91,10 @@ struct AttachPiece {
           kOptional);
     visit("clear", self.clear, kClearHelp, kOptional);
     visit("round", self.round, kRoundHelp, kOptional);
+    visit("end", self.end, "of a strap: the edge at its other end, which is led over the body to another run",
+          kOptional);
+    visit("end_to", self.endTo, "the run that the other end comes to", kOptional);
+    visit("over", self.over, kOverHelp, kOptional);
   }
   bool operator==(const AttachPiece&) const = default;
 };
