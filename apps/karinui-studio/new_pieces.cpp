@@ -49,14 +49,16 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge) {
   band.of = runThrough(document, edge);
   band.name = usableName(document, made.band);
   band.depth = {made.deep};
+  if (piece) band.fabric = piece->fabric;
   band.sew = seamsOn(document, band.of).empty();
   return band;
 }
 
 DrawStrap strapBetween(const Document& document, const EdgeNear& from, const std::optional<EdgeNear>& to) {
-  constexpr double kShort = 0.08, kUsual = 0.02;  // metres
+  constexpr double kShort = 0.05, kUsual = 0.02;  // metres
   DrawStrap strap;
   strap.name = usableName(document, "strap");
+  strap.fabric = document.find(from.piece)->fabric;
   strap.width = Length{kUsual};
   bool whole = true;
   const auto part = [&](const EdgeNear& near) {

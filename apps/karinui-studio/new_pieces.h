@@ -9,7 +9,7 @@ namespace karinui::studio {
 // sleeve's hem, by what the edge and its piece are called; sewn, where none of the run is sewn yet.
 DrawBand bandAlong(const Document& document, const EdgeRef& edge);
 
-// A strap from one place to another, 2 cm wide; of a short edge, as wide as that is.
+// A strap from one place to another, 2 cm wide, of the fabric where it begins; of a short edge, as wide as that is.
 DrawStrap strapBetween(const Document& document, const EdgeNear& from, const std::optional<EdgeNear>& to);
 
 // Pleats about 6 cm apart all along an edge, as the dialog first offers them.

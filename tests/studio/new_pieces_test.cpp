@@ -199,6 +199,8 @@ TEST(StudioNewPieces, ACollarOfTheNecklineByItsNumbers) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
+  w.session().perform(*parseOperation("fabric name=linen piece=front"));
+  w.rest();
   w.key(Command::Select);
   const std::size_t before = w.count();
   menuOn(w, "front", "neck_left");
@@ -211,6 +213,7 @@ TEST(StudioNewPieces, ACollarOfTheNecklineByItsNumbers) {
   ASSERT_GE(w.count(), before + 1) << w.main().said().toStdString();
   const auto& band = std::get<DrawBand>(w.session().steps()[before].operation);
   EXPECT_EQ(band.of.size(), 4u) << "the whole neckline";
+  EXPECT_EQ(band.fabric, "linen") << "as the piece it is sewn to";
   EXPECT_TRUE(band.sew);
   EXPECT_NEAR(draftedLength(w, "collar", "end_left"), 0.05, 1e-9);
   double neck = 0;
