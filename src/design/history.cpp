@@ -61,6 +61,13 @@ Result<DocumentFile> DocumentFile::openForReading(const std::filesystem::path& p
 
 const Document& DocumentFile::document() const { return inside_->documents.at(inside_->head.seq); }
 const std::filesystem::path& DocumentFile::path() const { return inside_->path; }
+bool DocumentFile::moved() const { return inside_->store && inside_->store->moved(); }
+Result<std::string> DocumentFile::bytes() const {
+  return withinMemory([&]() -> Result<std::string> {
+    if (!inside_->store) return karinui::refused(say("This garment has no file yet; open it as a document first."));
+    return inside_->store->bytes();
+  });
+}
 const std::vector<Message>& DocumentFile::remarks() const { return inside_->remarks; }
 Done DocumentFile::checkSteps(Context& context) {
   return withinMemory([&] { return inside_->store ? inside_->compareSteps(context) : Done(); });

@@ -219,24 +219,33 @@ Done DocumentWorker::moveTo(const std::filesystem::path& path) {
     return {};
   }
   const std::filesystem::path old = file_.path();
-  if (std::filesystem::equivalent(old, path, trouble)) return {};
-  const bool leaves = isDraft(options_, old) && !readOnly_;
-  file_ = DocumentFile::inMemory();  // closes: one whole file
-  std::optional<Error> why;
-  if (leaves) std::filesystem::rename(old, path, trouble);
-  if (!leaves || trouble) {  // a copy; a draft may also go to another disk
-    if (const auto bytes = readFile(old); !bytes)
-      why = bytes.error();
-    else if (const Done written = writeFile(path, *bytes); !written)
-      why = written.error();
-    if (leaves && !why) std::filesystem::remove(old, trouble);
+  const bool there = !file_.moved();
+  if (there && std::filesystem::equivalent(old, path, trouble)) return {};
+  const bool leaves = there && isDraft(options_, old) && !readOnly_;
+  const auto goOnWith = [&](DocumentFile file) {
+    file_ = std::move(file);
+    readOnly_ = false, begunDraft_ = false;
+    return Done();
+  };
+  if (leaves) {
+    file_ = DocumentFile::inMemory();  // closes: one whole file
+    std::filesystem::rename(old, path, trouble);
+    if (!trouble) dropJournal(path);
+    auto opened = DocumentFile::open(trouble ? old : path);
+    if (!opened) return opened.error();
+    if (!trouble) return goOnWith(*std::move(opened));
+    file_ = *std::move(opened);
   }
-  if (!why) dropJournal(path);
-  auto opened = why && readOnly_ ? DocumentFile::openForReading(old) : DocumentFile::open(why ? old : path);
+  // A copy; a draft may also go to another disk. What is open stays open until the copy is: it may be all there is.
+  const auto bytes = file_.bytes();
+  if (!bytes) return bytes.error();
+  if (Done written = writeFile(path, *bytes, Readers::Owner); !written) return written;
+  dropJournal(path);
+  auto opened = DocumentFile::open(path);
   if (!opened) return opened.error();
-  file_ = *std::move(opened);
-  if (!why) readOnly_ = false, begunDraft_ = false;
-  return why ? Done(*why) : Done();
+  Done done = goOnWith(*std::move(opened));
+  if (leaves) std::filesystem::remove(old, trouble);
+  return done;
 }
 
 Done DocumentWorker::beginDraft(const std::string& about) {

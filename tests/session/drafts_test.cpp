@@ -197,6 +197,58 @@ TEST_F(Drafts, SaveAsMovesADraftAndCopiesADocument) {
   EXPECT_EQ(session.steps().size(), 2u) << refused(session);
   EXPECT_TRUE(fs::exists(folder_ / "coat.karinui"));
   EXPECT_EQ(session.path(), folder_ / "copy.karinui");
+  constexpr auto kOthers = fs::perms::group_all | fs::perms::others_all;
+  EXPECT_EQ(fs::status(session.path()).permissions() & kOthers, fs::perms::none) << "it tells a person's measures";
+}
+
+// A stick that is pulled out, a folder that is tidied up: the garment in the window is all there is.
+TEST_F(Drafts, WhatWasMovedOrDeletedWhileItIsOpenIsToldAndCanBeKept) {
+  for (const bool draft : {false, true}) {
+    Session session(options());
+    perform(session, kPiece);
+    if (!draft) session.saveAs(folder_ / "coat.karinui");
+    session.finish();
+    const fs::path was = session.path();
+    fs::remove(was);
+    perform(session, "rename piece=front to=back");
+    EXPECT_THAT(refused(session), HasSubstr("was moved, renamed or deleted while it is open here"));
+    session.saveAs(folder_ / "no such folder" / "kept.karinui");
+    session.finish();
+    EXPECT_NE(refused(session), "");
+    EXPECT_EQ(session.steps().size(), 1u) << "what cannot be kept there is still in the hand";
+    const fs::path kept = folder_ / (draft ? "kept draft.karinui" : "kept.karinui");
+    session.saveAs(kept);
+    session.finish();
+    EXPECT_EQ(refused(session), "");
+    EXPECT_EQ(session.path(), kept);
+    perform(session, "rename piece=front to=back");
+    EXPECT_EQ(session.steps().size(), 2u) << refused(session);
+    EXPECT_FALSE(fs::exists(was));
+  }
+  // Another document lies where this one lay; that one is let be.
+  Session session(options());
+  perform(session, kPiece);
+  const fs::path was = session.path();
+  fs::rename(was, folder_ / "elsewhere.karinui");
+  ASSERT_TRUE(writeFile(was, "another"));
+  session.saveAs(folder_ / "mine.karinui");
+  session.finish();
+  EXPECT_EQ(session.path(), folder_ / "mine.karinui") << refused(session);
+  EXPECT_EQ(*readFile(was), "another");
+}
+
+// The place where it was, which is free again.
+TEST_F(Drafts, WhatWasDeletedIsKeptWhereItWas) {
+  Session session(options());
+  perform(session, kPiece);
+  session.saveAs(folder_ / "coat.karinui");
+  session.finish();
+  fs::remove(folder_ / "coat.karinui");
+  session.saveAs(folder_ / "coat.karinui");
+  perform(session, "rename piece=front to=back");
+  EXPECT_EQ(refused(session), "");
+  EXPECT_EQ(session.steps().size(), 2u);
+  EXPECT_TRUE(fs::exists(folder_ / "coat.karinui"));
 }
 
 TEST_F(Drafts, WhereNoneCanBeWrittenTheStepIsRefusedUntilAPlaceIsChosen) {

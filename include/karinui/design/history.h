@@ -50,6 +50,9 @@ class DocumentFile {
   std::vector<Step> steps() const;   // from the beginning to the head
   std::vector<Step> undone() const;  // what redo would bring back, in order
   const std::filesystem::path& path() const;
+  bool moved() const;  // the file was moved, renamed or deleted since it was opened: path() is not where it is
+  // The whole file as it is kept, also where it was moved or deleted since. Refused without a file.
+  Result<std::string> bytes() const;
   // What was found while reading that a person should know: kept parts that were damaged and made again from the steps,
   // steps that do not follow from each other or lead elsewhere than the file says. Opening compares what is kept beside
   // every step with that step's hashes. Empty for a file as it was written.

@@ -93,10 +93,34 @@ Result<std::string> Database::text(const char* sql) {
   return *row ? statement->text(0) : std::string();
 }
 
+bool Database::moved() const {
+  int moved = 0;
+  sqlite3_file_control(raw_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  return moved != 0;
+}
+
+Error Database::movedAway() const {
+  return storageError(
+      say("“{0}” was moved, renamed or deleted while it is open here; nothing was changed. Put it back, or keep the "
+          "garment with File, Save as.",
+          path_.filename().string()));
+}
+
+Result<std::string> Database::bytes() const {
+  struct Free {
+    void operator()(unsigned char* bytes) const { sqlite3_free(bytes); }
+  };
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, Free> all(sqlite3_serialize(raw_.get(), "main", &size, 0));
+  if (all == nullptr) return error();
+  return std::string(reinterpret_cast<const char*>(all.get()), static_cast<std::size_t>(size));
+}
+
 Error Database::error() const {
   const int code = sqlite3_extended_errcode(raw_.get());
   if (code == SQLITE_NOMEM || code == SQLITE_IOERR_NOMEM) throw std::bad_alloc();
   const std::string name = path_.filename().string();
+  if (code == SQLITE_READONLY_DBMOVED) return movedAway();
   switch (code & 0xff) {
     case SQLITE_NOTADB:
       return notADocument(path_);

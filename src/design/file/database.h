@@ -28,6 +28,10 @@ class Database {
   // is no damage of the file.
   Error error() const;
   const std::filesystem::path& path() const { return path_; }
+  bool moved() const;  // the file was moved, renamed or deleted since it was opened
+  Error movedAway() const;
+  // The file as it was written, also where it was moved or deleted since.
+  Result<std::string> bytes() const;
 
   // One prepared question. Parameters count from 1, columns from 0.
   class Statement {

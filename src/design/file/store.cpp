@@ -246,7 +246,8 @@ Done Store::updateHead(Head head) {
 }
 
 Done Store::inOneTransaction(const std::function<Done()>& work) {
-  db_.rollBack();  // what could not be for want of memory
+  db_.rollBack();                           // what could not be for want of memory
+  if (db_.moved()) return db_.movedAway();  // SQLite asks only before the first step
   if (Done done = db_.run("BEGIN IMMEDIATE"); !done) return done;
   try {
     Done done = work();

@@ -58,6 +58,8 @@ class Store {
   Result<std::string> blob(const std::string& name) const;  // checked against its name
   std::vector<std::string> blobNames() const;               // as far as they can be read
   const std::filesystem::path& path() const { return db_.path(); }
+  bool moved() const { return db_.moved(); }
+  Result<std::string> bytes() const { return db_.bytes(); }
 
  private:
   explicit Store(Database db) : db_(std::move(db)) {}
