@@ -388,6 +388,7 @@ class PythonDocument {
         if (!body) return body.error();
         drawn->pattern = raisedTo(**body, std::move(drawn->pattern)).pattern;
       }
+      for (const Message& note : unknownFabricsSaid(drawn->pattern, file.document())) notes_.push_back(text(note));
       std::size_t count = 0;
       for (Operation& operation :
            stepsOf(drawn->pattern, file.document(), drawn->grading, drawn->cutting, &file.blobs())) {

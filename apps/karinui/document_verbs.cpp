@@ -370,6 +370,7 @@ int runImport(Program& program, const ImportOptions& options) {
                                  raised.by > 0 ? say("up") : say("down"), fixed(100 * std::fabs(raised.by), 0)));
       drawn->pattern = std::move(raised.pattern);
     }
+    for (const Message& note : unknownFabricsSaid(drawn->pattern, opened.document())) program.console.note(note);
     for (Operation& operation :
          stepsOf(drawn->pattern, opened.document(), drawn->grading, drawn->cutting, &opened.file().blobs()))
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();

@@ -207,7 +207,9 @@ std::vector<Operation> sharedSteps(const Document& document) {
     steps.push_back(std::move(op));
   }
   for (const auto& [name, fabric] : document.fabrics) steps.push_back(described(name, fabric));
-  for (Operation& step : stepsOf(inARow(document.pattern), {}, fromTheStanding(document.grading)))
+  Document known;
+  known.fabrics = document.fabrics;
+  for (Operation& step : stepsOf(inARow(document.pattern), known, fromTheStanding(document.grading)))
     steps.push_back(std::move(step));
   for (const auto& [id, piece] : document.pattern.pieces)
     if (!piece->interfacing.empty()) steps.push_back(FuseInterfacing{{PieceRef(piece->name)}, piece->interfacing});

@@ -1,15 +1,37 @@
 #include "karinui/design/steps_of.h"
 
 #include <map>
+#include <set>
 
 #include "design/pack.h"
 
 namespace karinui {
 
+std::vector<std::string> unknownFabrics(const Pattern& pattern, const Document& into) {
+  std::set<std::string> names;
+  for (const auto& [id, piece] : pattern.pieces)
+    if (!fabricNamed(into, piece->fabric) && checkName(piece->fabric)) names.insert(piece->fabric);
+  return {names.begin(), names.end()};
+}
+
+std::vector<Message> unknownFabricsSaid(const Pattern& pattern, const Document& into) {
+  std::vector<Message> said;
+  for (const std::string& name : unknownFabrics(pattern, into))
+    said.push_back(
+        say("The pattern tells of the fabric “{0}” only its name; it is like {1} until its values are given.",
+            nameSaid(name), nameSaid(Piece().fabric)));
+  return said;
+}
+
 std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading,
                                const CuttingNotes& told, Blobs* bent) {
   std::vector<Operation> steps;
   std::map<PieceId, std::string> names;
+  for (const std::string& name : unknownFabrics(pattern, into)) {
+    SetFabric fabric;
+    fabric.name = name, fabric.like = Piece().fabric;
+    steps.push_back(std::move(fabric));
+  }
   Document named = into;  // knows the names given so far; its pieces are never looked at
   for (const auto& [id, piece] : pattern.pieces) {
     AddPiece add;
@@ -19,7 +41,7 @@ std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, con
     add.lines = piece->lines;
     add.marks = piece->marks;
     add.grain = piece->grain;
-    add.fabric = piece->fabric;
+    if (fabricNamed(into, piece->fabric) || checkName(piece->fabric)) add.fabric = piece->fabric;
     add.pose = piece->pose;
     if (bent && piece->form && !piece->form->faces.empty()) {
       std::string bytes = packForm(*piece->form);

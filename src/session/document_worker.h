@@ -98,7 +98,8 @@ class DocumentWorker {
 bool isDraft(const SessionOptions& options, const std::filesystem::path& path);
 
 // Files in and out (session's second thread).
-Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token);
+Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
+                       std::vector<Message>& notes);
 Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path& file, SetLook look,
                      const Token& token);
 // `corner` is the upper right one; where it is not said the scan begins where pieces do.

@@ -231,12 +231,13 @@ void Session::importScan(const std::filesystem::path& file) {
 
 void Session::importPattern(const std::filesystem::path& file) {
   auto& in = *impl_;
+  const auto notes = std::make_shared<std::vector<Message>>();
   in.longWork(
-      [&in, file](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
-        if (const Done done = importPatternInto(*in.documentWorker, file, token); !done) return done.error();
+      [&in, file, notes](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
+        if (const Done done = importPatternInto(*in.documentWorker, file, token, *notes); !done) return done.error();
         return in.documentWorker;
       },
-      say("“{0}” was read.", file.filename().string()));
+      say("“{0}” was read.", file.filename().string()), notes);
 }
 
 void Session::exportTo(const std::filesystem::path& file, const ExportWish& wish) {

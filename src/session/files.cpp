@@ -12,7 +12,8 @@ namespace karinui {
 
 namespace {
 
-Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token) {
+Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
+                 std::vector<Message>& notes) {
   if (contentOf(file) == FileContent::Script) {
     const Result<std::string> bytes = readFile(file);
     if (!bytes) return bytes.error();
@@ -36,6 +37,7 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
     if (!figure) return figure.error();
     pattern = raisedTo(**figure, std::move(pattern)).pattern;
   }
+  notes = unknownFabricsSaid(pattern, document);
   for (Operation& operation : stepsOf(pattern, document, read->grading, read->cutting, &documentWorker.file().blobs()))
     if (const auto step = documentWorker.perform(std::move(operation), token); !step) return step.error();
   return {};
@@ -61,9 +63,10 @@ Done bodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file,
 
 }  // namespace
 
-Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token) {
+Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
+                       std::vector<Message>& notes) {
   if (const Done draft = documentWorker.beginDraft(file.stem().string()); !draft) return draft;
-  const Done done = patternInto(documentWorker, file, token);
+  const Done done = patternInto(documentWorker, file, token, notes);
   documentWorker.dropEmptyDraft();
   return done;
 }

@@ -111,6 +111,46 @@ TEST(PatternJson, AllowancesGoThroughAnImport) {
   EXPECT_NE(text(read->notes[0]).find("of holes"), std::string::npos);
 }
 
+// A pattern that was cut from a fabric of its own document's, as one that was measured, is read elsewhere.
+TEST(PatternJson, APatternOfAFabricThatIsNotKnownHereIsRead) {
+  Pattern once = test::random(3);
+  once.seams.clear();
+  std::size_t n = 0;
+  for (auto& [id, piece] : once.pieces) {
+    Piece own = *piece;
+    own.marks.clear(), own.fabric = n++ == 0 ? "Shirt_cotton" : n == 2 ? "no name; at all" : "denim";
+    piece = std::make_shared<const Piece>(own);
+  }
+  ASSERT_GE(n, 2u);
+  Workers workers(1);
+  MemoryBlobs blobs;
+  Bodies bodies;
+  Token token;
+  Context context{workers, token, blobs, bodies, {}, {}};
+  Document document;
+  const auto take = [&](const Pattern& pattern) {
+    for (const Operation& step : stepsOf(pattern, document)) {
+      auto next = apply(document, step, context);
+      ASSERT_TRUE(next) << text(next.error().what);
+      document = *std::move(next);
+    }
+  };
+  const auto said = unknownFabricsSaid(once, document);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(text(said[0]).find("Shirt cotton"), std::string::npos) << text(said[0]);
+  take(once);
+  auto piece = document.pattern.pieces.begin();
+  EXPECT_EQ(piece->second->fabric, "Shirt_cotton");
+  EXPECT_EQ(std::next(piece)->second->fabric, "cotton") << "what is no name of a fabric";
+  ASSERT_TRUE(document.fabrics.contains("Shirt_cotton"));
+  EXPECT_EQ(document.fabrics.at("Shirt_cotton").weight, preset("cotton")->weight);
+  // Where the fabric is known it is left as it is.
+  document.fabrics.at("Shirt_cotton").weight = 0.3;
+  EXPECT_TRUE(unknownFabricsSaid(once, document).empty());
+  take(once);
+  EXPECT_EQ(document.fabrics.at("Shirt_cotton").weight, 0.3);
+}
+
 // What was bent on a body stands as it stood, and what was frozen stays so.
 TEST(PatternJson, PiecesStandAsTheFileSays) {
   Pattern once = test::random(3);
