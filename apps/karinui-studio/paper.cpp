@@ -33,7 +33,7 @@ QImage pagePicture(const PaperPages& pages, std::size_t page, QSize room) {
   return image;
 }
 
-Done printPages(const PaperPages& pages, QPrinter& printer) {
+Result<std::size_t> printPages(const PaperPages& pages, QPrinter& printer, const std::function<bool(double)>& goOn) {
   constexpr int kBand = 1024;            // rows drawn at once: a sheet of two metres fits into no memory
   constexpr double kFinest = 600;        // dots an inch; finer helps no line
   constexpr double kCloseEnough = 5e-4;  // metres
@@ -52,24 +52,37 @@ Done printPages(const PaperPages& pages, QPrinter& printer) {
             lengthText(is.width()).toStdString(), lengthText(is.height()).toStdString(),
             lengthText(size.u).toStdString(), lengthText(size.v).toStdString()));
   };
-  for (std::size_t page = 0; page < pages.count(); ++page)
-    if (Done done = paperFor(page); !done) return done;
-  (void)paperFor(0);
+  std::size_t first = 0, end = pages.count();
+  if (printer.printRange() == QPrinter::PageRange) {
+    first = static_cast<std::size_t>(std::max(printer.fromPage(), 1) - 1);
+    end = std::min(end, static_cast<std::size_t>(std::max(printer.toPage(), 1)));
+  }
+  if (first >= end)
+    return refused(say("The pattern has {0} {0|page|pages}; there is no page {1}.", pages.count(), first + 1));
+  for (std::size_t page = first; page < end; ++page)
+    if (Done done = paperFor(page); !done) return done.error();
+  (void)paperFor(first);
   const double dots = printer.resolution() / 0.0254, fine = std::min(dots, kFinest / 0.0254);
   QPainter painter;
   if (!painter.begin(&printer)) return storageError(say("The printer does not answer."));
-  for (std::size_t page = 0; page < pages.count(); ++page) {
-    if (page > 0) printer.newPage();
+  for (std::size_t page = first; page < end; ++page) {
+    if (page > first) printer.newPage();
     const Flat size = pages.size(page);
     const int wide = static_cast<int>(std::ceil(size.u * fine)), high = static_cast<int>(std::ceil(size.v * fine));
     for (int top = 0; top < high; top += kBand) {
+      const double done = static_cast<double>(page - first) + static_cast<double>(top) / high;
+      if (!goOn(done / static_cast<double>(end - first))) {
+        printer.abort();
+        return cancelled();
+      }
       const int rows = std::min(kBand, high - top);
       const QImage band =
           windowOf(pages, page, fine, QRect(0, top, wide, rows)).convertToFormat(QImage::Format_Grayscale8);
       painter.drawImage(QRectF(0, top * dots / fine, wide * dots / fine, rows * dots / fine), band);
     }
   }
-  return painter.end() ? Done() : Done(storageError(say("The printer does not answer.")));
+  if (!painter.end()) return storageError(say("The printer does not answer."));
+  return end - first;
 }
 
 }  // namespace karinui::studio

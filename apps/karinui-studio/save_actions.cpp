@@ -3,6 +3,7 @@
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrinter>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <cmath>
 
@@ -96,12 +97,16 @@ void MainWindow::print() {
 }
 
 void MainWindow::printOn(QPrinter& printer) {
-  // Paper larger than A4 by half is a roll or a plotter's: then one sheet.
-  const QSizeF paper = printer.pageLayout().fullRect(QPageLayout::Millimeter).size();
+  QSizeF paper = printer.pageLayout().fullRect(QPageLayout::Millimeter).size();
   ExportWish wish;
   const auto is = [&](double width, double height) {
     return std::fabs(paper.width() - width) < 2 && std::fabs(paper.height() - height) < 2;
   };
+  if (is(279.4, 215.9) || is(297, 210) || is(420, 297)) {  // the sheets to be glued stand upright
+    printer.setPageOrientation(QPageLayout::Portrait);
+    paper.transpose();
+  }
+  // Paper larger than A4 by half is a roll or a plotter's: then one sheet.
   wish.format = &fileFormat(paper.width() > 1.5 * 297 ? "pdf"
                             : is(215.9, 279.4)        ? "pdf-letter"
                             : is(297, 420)            ? "pdf-a3"
@@ -110,8 +115,22 @@ void MainWindow::printOn(QPrinter& printer) {
   wish.sheet.language = Theme::here().language();
   if (const auto stem = session_->path().stem().string(); !stem.empty()) wish.sheet.title = stem;
   const auto pages = paperOf(session_->snapshot(), wish);
-  const Done done = pages ? printPages(*pages, printer) : Done(pages.error());
-  if (!done) tell({Notice::Kind::Refused, done.error().what});
+  if (!pages) return tell({Notice::Kind::Refused, pages.error().what});
+  constexpr int kWhole = 1000;
+  QProgressDialog progress(inWords(say("Printing the pattern")), inWords(say("Stop")), 0, kWhole, this);
+  progress.setWindowTitle(inWords(say("Print")));
+  progress.setWindowModality(Qt::WindowModal);
+  const auto printed = printPages(*pages, printer, [&](double share) {
+    progress.setValue(static_cast<int>(kWhole * share));  // handles what is clicked meanwhile
+    return !progress.wasCanceled();
+  });
+  progress.reset();
+  if (printed)
+    tell({Notice::Kind::Said, say("{0} {0|page was|pages were} printed.", *printed)});
+  else if (printed.error().kind == Error::Kind::Cancelled)
+    tell({Notice::Kind::Said, say("Stopped; not all pages were printed.")});
+  else
+    tell({Notice::Kind::Refused, printed.error().what});
 }
 
 }  // namespace karinui::studio

@@ -261,6 +261,36 @@ TEST(StudioSaveActions, PrintsAtTrueSize) {
   EXPECT_NEAR(dark.back() - dark.front(), 1000, 4);
 }
 
+// The cover is printed and measured first, and a sheet that was spoiled once more.
+TEST(StudioSaveActions, PrintsThePagesThatWereAskedForHoweverTheSheetIsTurned) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  Folder folder;
+  const fs::path path = folder.path / "some.pdf";
+  const auto printed = [&](int from, int to) {
+    fs::remove(path);
+    {
+      QPrinter printer(QPrinter::HighResolution);
+      printer.setOutputFormat(QPrinter::PdfFormat);
+      printer.setResolution(72);
+      printer.setPageSize(QPageSize(QPageSize::A4));
+      printer.setPageOrientation(QPageLayout::Landscape);
+      printer.setOutputFileName(QString::fromStdString(path.string()));
+      if (from > 0) printer.setPrintRange(QPrinter::PageRange), printer.setFromTo(from, to);
+      w.main().printOn(printer);
+    }
+    return w.main().said().toStdString();
+  };
+  EXPECT_THAT(printed(1, 1), HasSubstr("1 page was printed"));
+  const QImage cover = pictureOf(path, 10);
+  EXPECT_NEAR(cover.width(), 2100, 20);
+  EXPECT_THAT(printed(2, 3), HasSubstr("2 pages were printed"));
+  EXPECT_NE(pictureOf(path, 10), cover);
+  EXPECT_THAT(printed(900, 901), HasSubstr("there is no page 900"));
+  EXPECT_FALSE(fs::exists(path));
+}
+
 TEST(StudioSaveActions, ARollTakesTheWholeSheetAtItsOwnSize) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
