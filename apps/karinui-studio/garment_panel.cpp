@@ -438,7 +438,12 @@ void GarmentPanel::fillProperties() {
   const Selection& selection = session_.selection();
   const Piece* piece = selection.pieces.empty() ? nullptr : document.find(*selection.pieces.begin());
   pieceBoard_->setVisible(piece);
-  edgeBoard_->setVisible(piece && selection.edge.has_value());
+  const bool hasEdge = piece && selection.edge.has_value();
+  // What is typed on would go into the next box.
+  if (const QWidget* typed = window()->focusWidget();
+      typed && ((!piece && pieceBoard_->isAncestorOf(typed)) || (!hasEdge && edgeBoard_->isAncestorOf(typed))))
+    tree_->setFocus();
+  edgeBoard_->setVisible(hasEdge);
   if (piece) {
     showName(*name_, piece->name, nameText(piece->name));
     fabric_->clear();

@@ -12,6 +12,19 @@ bool drapes(const Operation& op) {
   return std::holds_alternative<DrapePieces>(op) || std::holds_alternative<PullCloth>(op);
 }
 
+// What an edge is called now: another name, where the step before or its undoing gave it one.
+std::optional<std::string> renamed(const Piece& was, const Piece& is, const std::string& edge) {
+  const auto in = [&](const Outline& before, const Outline& now) -> std::optional<std::string> {
+    const auto k = before.find(edge);
+    if (!k || before.edges.size() != now.edges.size() || findEdge(was, now.edges[*k].name)) return std::nullopt;
+    return now.edges[*k].name;
+  };
+  if (const auto name = in(was.outline, is.outline)) return name;
+  for (std::size_t h = 0; h < std::min(was.holes.size(), is.holes.size()); ++h)
+    if (const auto name = in(was.holes[h], is.holes[h])) return name;
+  return std::nullopt;
+}
+
 }  // namespace
 
 void Session::Impl::take(DocumentState fresh) {
@@ -29,8 +42,14 @@ void Session::Impl::take(DocumentState fresh) {
   std::erase_if(selection.pieces, [&](PieceId id) { return !state.snapshot->document.find(id); });
   if (selection.edge)
     if (const Piece* piece = state.snapshot->document.find(selection.edge->piece);
-        !piece || !findEdge(*piece, selection.edge->edge))
-      selection.edge.reset();
+        !piece || !findEdge(*piece, selection.edge->edge)) {
+      const Piece* was = before->document.find(selection.edge->piece);
+      const auto name = was && piece ? renamed(*was, *piece, selection.edge->edge) : std::nullopt;
+      if (name)
+        selection.edge->edge = *name;
+      else
+        selection.edge.reset();
+    }
   selection.line.clear(), selection.mark.reset();  // the step may have been about them
   if (selection.seam && !state.snapshot->document.find(selection.seam)) selection.seam = {};
   ++changes.garment, ++changes.history, ++changes.overlay;

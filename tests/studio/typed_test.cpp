@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -250,6 +251,32 @@ TEST(StudioTyped, WhereAPrintBeginsIsAskedOfAPieceAlone) {
   for (QLabel* label : w.main().boards().currentWidget()->findChildren<QLabel*>())
     if (label->text() == "Print begins at") seen += label->isVisible();
   EXPECT_EQ(seen, 0u);
+}
+
+// A name is given and Return pressed: the next key goes into no other box.
+TEST(StudioTyped, AfterAnEdgeIsNamedItsBoxHasTheKeysStill) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.main()));
+  chooseEdge(w, "front", "shoulder_left");
+  QLineEdit* name = nullptr;
+  for (QLineEdit* one : w.main().findChildren<QLineEdit*>())
+    if (one->isVisible() && one->text() == "left shoulder") name = one;
+  ASSERT_TRUE(name);
+  name->setFocus();
+  name->selectAll();
+  QTest::keyClicks(name, "seam A");
+  QTest::keyClick(name, Qt::Key_Return);
+  w.rest();
+  ASSERT_TRUE(w.session().selection().edge) << w.main().said().toStdString();
+  EXPECT_EQ(w.session().selection().edge->edge, "seam_A");
+  EXPECT_EQ(w.main().focusWidget(), name);
+  // An edge that is no longer there leaves the keys to the list.
+  w.session().select({});
+  w.rest();
+  EXPECT_FALSE(qobject_cast<QLineEdit*>(w.main().focusWidget()));
 }
 
 // What is asked beside two places of a scan is typed at once, in any unit; no digit turns the fitting meanwhile.
