@@ -117,7 +117,13 @@ void Session::Impl::perform(Operation operation) {
       }
       const SnapshotPtr seen = preview;
       take(*fresh);
-      if (stopped) return turn(true);  // it had arrived already
+      if (stopped) return turn(true);                                 // it had arrived already
+      if (std::holds_alternative<DuplicatePiece>(step->operation)) {  // what is done next is done to the copy
+        Selection copies;
+        for (const auto& [id, piece] : state.snapshot->document.pattern.pieces)
+          if (!before->document.find(id)) copies.pieces.insert(id);
+        choose(std::move(copies));
+      }
       if (drapes(step->operation)) ++changes.settled;
       if (const auto* sew = std::get_if<SewEdges>(&step->operation); sew && sew->mirror)
         tell(Notice::Kind::Said, say("Sewn, and its mirror image too; one undo takes both back."));

@@ -738,6 +738,20 @@ TEST(Session, AnEdgeThatIsRenamedStaysChosen) {
   EXPECT_EQ(session.selection().edge->edge, was);
 }
 
+// What is done next is done to the copy.
+TEST(Session, ThePieceThatADuplicateMadeIsChosen) {
+  Held held;
+  Session session(held.options());
+  giveTwo(session);
+  Selection chosen;
+  chosen.pieces = {session.snapshot().document.pieceNamed("front")->id};
+  session.select(chosen);
+  session.command(Command::Duplicate);
+  session.finish();
+  ASSERT_EQ(session.selection().pieces.size(), 1u);
+  EXPECT_EQ(session.snapshot().document.find(*session.selection().pieces.begin())->name, "front_2");
+}
+
 TEST(Session, OpensCopiesAndReopensWhereItWas) {
   const auto folder = std::filesystem::temp_directory_path() / "karinui_session_test";
   std::filesystem::remove_all(folder);
