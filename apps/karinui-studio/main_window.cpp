@@ -32,6 +32,7 @@
 #include "orbit.h"
 #include "start_page.h"
 #include "theme.h"
+#include "undo_guard.h"
 #include "variables_dialog.h"
 #include "wheel_guard.h"
 
@@ -50,6 +51,7 @@ QSize firstSize(QSize available) {
 
 MainWindow::MainWindow(SessionOptions options) {
   WheelGuard::install();
+  UndoGuard::install();
   letViewsSpeak();
   wake_.setSingleShot(true);
   connect(&wake_, &QTimer::timeout, this, &MainWindow::refresh);

@@ -253,6 +253,45 @@ TEST(StudioTyped, WhereAPrintBeginsIsAskedOfAPieceAlone) {
   EXPECT_EQ(seen, 0u);
 }
 
+// A box that has the keys claims Ctrl+Z; where nothing is half typed in it, it takes back the step.
+TEST(StudioTyped, CtrlZTakesBackTheStepAlsoWhereABoxHasTheKeys) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.main()));
+  SetLook look;
+  look.fabric = w.session().snapshot().document.pieceNamed("front")->fabric;
+  look.print = PrintKind::Stripe;
+  w.session().perform(look);
+  w.main().boards().setCurrentIndex(2);
+  w.rest();
+  QDoubleSpinBox* angle = nullptr;
+  for (auto* box : w.main().boards().currentWidget()->findChildren<QDoubleSpinBox*>())
+    if (box->accessibleName() == "Angle to the grain") angle = box;
+  ASSERT_TRUE(angle);
+  const std::size_t before = w.count();
+  for (const char* typed : {"45", "30.0"}) {  // what is shown may be just what was typed
+    angle->setFocus();
+    angle->selectAll();
+    QTest::keyClicks(angle, typed);
+    QTest::keyClick(angle, Qt::Key_Z, Qt::ControlModifier);
+    w.rest();
+    EXPECT_EQ(w.count(), before) << "what is half typed is taken back by itself";
+    EXPECT_EQ(angle->value(), 0);
+    angle->selectAll();
+    QTest::keyClicks(angle, typed);
+    QTest::keyClick(angle, Qt::Key_Return);
+    w.rest();
+    ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+    ASSERT_TRUE(angle->hasFocus());
+    QTest::keyClick(angle, Qt::Key_Z, Qt::ControlModifier);
+    w.rest();
+    EXPECT_EQ(w.count(), before) << typed;
+    EXPECT_EQ(angle->value(), 0);
+  }
+}
+
 // A name is given and Return pressed: the next key goes into no other box.
 TEST(StudioTyped, AfterAnEdgeIsNamedItsBoxHasTheKeysStill) {
   KARINUI_NEEDS_DISPLAY();
