@@ -39,6 +39,9 @@ void fill(QComboBox& box, const std::array<std::string_view, n>& words) {
   });
 }
 
+// A photograph has its own colours.
+bool hasInk(PrintKind kind) { return kind != PrintKind::None && kind != PrintKind::Photo; }
+
 QLabel* word(const Message& words) {
   auto* label = new QLabel;
   label->setWordWrap(true);
@@ -69,7 +72,8 @@ LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> a
   printRows_ = new QWidget;
   auto* rows = new QFormLayout(printRows_);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->addRow(word(fieldSaid("look", "ink")), dyeRow(fieldSaid("look", "ink"), ink_, inkTyped_, &SetLook::ink));
+  inkRow_ = dyeRow(fieldSaid("look", "ink"), ink_, inkTyped_, &SetLook::ink);
+  rows->addRow(word(fieldSaid("look", "ink")), inkRow_);
   repeat_ = new LengthBox(fieldSaid("look", "repeat"), 0.001, 2);
   rows->addRow(word(fieldSaid("look", "repeat")), repeat_);
   turn_ = new QDoubleSpinBox;
@@ -214,9 +218,11 @@ void LookBoard::show(const Look& look, std::optional<Flat> shift) {
   paint(*wrongInk_, *wrongInkTyped_, shownDye(&SetLook::wrongInk));
   const PrintKind wrongPrint = look.wrong ? look.wrong->print : PrintKind::None;
   wrongPrint_->setCurrentIndex(static_cast<int>(wrongPrint));
-  wrongInkRow_->setVisible(wrongPrint != PrintKind::None);
+  wrongInkRow_->setVisible(hasInk(wrongPrint));
   across_->setMetres(shift.value_or(Flat()).u), along_->setMetres(shift.value_or(Flat()).v);
-  static_cast<QFormLayout*>(printRows_->layout())->setRowVisible(shiftRow_, shift.has_value());
+  auto* rows = static_cast<QFormLayout*>(printRows_->layout());
+  rows->setRowVisible(shiftRow_, shift.has_value());
+  rows->setRowVisible(inkRow_, hasInk(look.print));
   printRows_->setVisible(look.print != PrintKind::None || wrongPrint != PrintKind::None);
   filling_ = false;
 }

@@ -40,7 +40,7 @@ class LookBoard : public QWidget {
   QLineEdit *colourTyped_, *inkTyped_, *wrongTyped_, *wrongInkTyped_;
   LengthBox *repeat_, *across_, *along_;
   QDoubleSpinBox* turn_;
-  QWidget *printRows_, *shiftRow_, *wrongInkRow_;
+  QWidget *printRows_, *shiftRow_, *inkRow_, *wrongInkRow_;
 };
 
 }  // namespace karinui::studio

@@ -253,6 +253,34 @@ TEST(StudioTyped, WhereAPrintBeginsIsAskedOfAPieceAlone) {
   EXPECT_EQ(seen, 0u);
 }
 
+// A photograph has its own colours: no ink is asked for.
+TEST(StudioTyped, TheColourOfAPrintIsAskedOfStripesAndNotOfAPhotograph) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  Folder folder;
+  w.openTunic();
+  SetLook look;
+  look.fabric = w.session().snapshot().document.pieceNamed("front")->fabric;
+  look.print = PrintKind::Stripe;
+  w.session().perform(look);
+  w.main().boards().setCurrentIndex(2);
+  w.rest();
+  const auto asked = [&] {
+    std::size_t seen = 0;
+    for (QLabel* label : w.main().boards().currentWidget()->findChildren<QLabel*>())
+      if (label->text() == "Colour of the print") seen += label->isVisible();
+    return seen;
+  };
+  EXPECT_EQ(asked(), 1u);
+  QImage photo(40, 40, QImage::Format_RGB32);
+  photo.fill(Qt::darkGreen);
+  const QString file = QString::fromStdString((folder.path / "rose.png").string());
+  ASSERT_TRUE(photo.save(file));
+  w.session().importPrint(file.toStdString(), look);
+  w.rest();
+  EXPECT_EQ(asked(), 0u) << w.main().said().toStdString();
+}
+
 // A box that has the keys claims Ctrl+Z; where nothing is half typed in it, it takes back the step.
 TEST(StudioTyped, CtrlZTakesBackTheStepAlsoWhereABoxHasTheKeys) {
   KARINUI_NEEDS_DISPLAY();
