@@ -264,7 +264,7 @@ void paintScan(QPainter& painter, const TableScan& scan, const TableOnScreen& sc
   const auto corners = scan.corners();
   painter.save();
   painter.setOpacity(scan.strength);
-  paintPicture(painter, *scan.image, {screen.at(corners[3]), screen.at(corners[2]), screen.at(corners[0])});
+  paintPicture(painter, scan.image, {screen.at(corners[3]), screen.at(corners[2]), screen.at(corners[0])});
   painter.restore();
 }
 

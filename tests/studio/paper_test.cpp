@@ -14,6 +14,7 @@
 #include "karinui/pattern/cut_line.h"
 #include "length_choice.h"
 #include "studio/window.h"
+#include "table_print.h"
 
 namespace karinui::studio {
 namespace {
@@ -51,6 +52,26 @@ TEST(StudioPaper, MakesDartsWithTwoClicksAndTheClothFollows) {
   EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), seams + 2) << "one on each half, sewn";
   EXPECT_TRUE(w.session().snapshot().document.drape.last->settled);
   EXPECT_LT(w.session().snapshot().document.drape.last->seamGap, 0.002) << "the darts are closed";
+}
+
+TEST(StudioPaper, AThinLineOfAScanIsWholeHoweverSmallItIsDrawn) {
+  constexpr int kSide = 1600, kLine = 3, kSmall = 200;
+  auto scan = std::make_shared<PrintImage>();
+  scan->width = scan->height = kSide;
+  scan->rgb.assign(3u * kSide * kSide, 255);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = kSide / 2; x < kSide / 2 + kLine; ++x)
+      std::fill_n(scan->rgb.begin() + 3 * (y * kSide + x), 3, std::uint8_t{0});
+  QImage drawn(kSmall + 20, kSmall + 20, QImage::Format_RGB32);
+  drawn.fill(Qt::white);
+  QPainter painter(&drawn);
+  paintPicture(painter, scan, {QPointF(10, 10), QPointF(10 + kSmall, 16), QPointF(4, 10 + kSmall)});
+  painter.end();
+  for (int y = 20; y < kSmall; ++y) {
+    int darkest = 255;
+    for (int x = 0; x < drawn.width(); ++x) darkest = std::min(darkest, qGray(drawn.pixel(x, y)));
+    ASSERT_LT(darkest, 220) << "in row " << y;
+  }
 }
 
 TEST(StudioPaper, MakesADartWithTwoPointsInsideAPiece) {
