@@ -278,9 +278,10 @@ double SpaceView::tall() const {
 
 void SpaceView::refresh() {
   if (!framed_ && session_.snapshot().body) look(View::Oblique);
-  constexpr double kOther = 0.1;  // a child's figure after a woman's, not the same one a little taller
-  if (const double now = tall(); framedAs_ && framedTall_ > 0 && now > 0 && !session_.begun() &&
-                                 std::abs(now - framedTall_) > kOther * framedTall_)
+  // A child's figure after a woman's, not the same one a little smaller; one that is taller stands out of the picture.
+  constexpr double kSmaller = 0.1, kTaller = 0.03;
+  if (const double now = tall(), was = framedTall_;
+      framedAs_ && was > 0 && now > 0 && !session_.begun() && (now < (1 - kSmaller) * was || now > (1 + kTaller) * was))
     look(*framedAs_);
   const bool carried = !session_.preview().carried.empty();
   if (garmentShown_ != session_.changes().garment || carried) {

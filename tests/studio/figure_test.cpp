@@ -307,6 +307,12 @@ TEST(StudioFigure, AnotherFigureIsSeenWholeWhereNobodyWentNear) {
   const QPointF before = feet();
   figure("eu50");
   EXPECT_EQ(feet(), before);
+  // The person's own height, typed.
+  figure("jis9ar");
+  w.view(View::Front);
+  ASSERT_TRUE(whole());
+  figure("jis9ar set=\"height=170cm\"");
+  EXPECT_TRUE(whole()) << crown().y() << " " << w.main().said().toStdString();
 }
 
 }  // namespace
