@@ -12,6 +12,7 @@
 #include "fabric_plot.h"
 #include "fabric_wizard.h"
 #include "karinui/base/number.h"
+#include "karinui/design/variant.h"
 #include "karinui/session/fabric_numbers.h"
 #include "look_board.h"
 #include "panels.h"
@@ -232,9 +233,8 @@ void FabricPanel::refresh() {
     font.setBold(used.contains(f.name));
     item->setFont(font);
   };
-  for (const auto& [name, f] : session_.snapshot().document.fabrics) add(f);
-  for (const Fabric& f : presets())
-    if (!session_.snapshot().document.fabrics.contains(f.name)) add(f);
+  for (const std::string& name : fabricNames(document))
+    if (const auto f = fabricNamed(document, name)) add(*f);
   filling_ = false;
   following_ = true;
   goTo(was);

@@ -20,6 +20,7 @@
 #include "karinui/design/print_match.h"
 #include "karinui/design/step_words.h"
 #include "karinui/design/truing_said.h"
+#include "karinui/design/variant.h"
 #include "karinui/pattern/edit.h"
 #include "karinui/pattern/symmetry.h"
 #include "length_box.h"
@@ -437,12 +438,12 @@ void GarmentPanel::fillProperties() {
   const Document& document = session_.snapshot().document;
   const Selection& selection = session_.selection();
   const Piece* piece = selection.pieces.empty() ? nullptr : document.find(*selection.pieces.begin());
-  pieceBoard_->setVisible(piece);
   const bool hasEdge = piece && selection.edge.has_value();
   // What is typed on would go into the next box.
   if (const QWidget* typed = window()->focusWidget();
       typed && ((!piece && pieceBoard_->isAncestorOf(typed)) || (!hasEdge && edgeBoard_->isAncestorOf(typed))))
     tree_->setFocus();
+  pieceBoard_->setVisible(piece);
   edgeBoard_->setVisible(hasEdge);
   if (piece) {
     showName(*name_, piece->name, nameText(piece->name));
@@ -451,9 +452,7 @@ void GarmentPanel::fillProperties() {
       const QString word = QString::fromStdString(name);
       if (fabric_->findData(word) < 0) fabric_->addItem(nameText(name), word);
     };
-    for (const Fabric& f : presets()) add(f.name);
-    for (const auto& [name, f] : document.fabrics) add(name);
-    add(piece->fabric);
+    for (const std::string& name : fabricNames(document)) add(name);
     fabric_->setCurrentIndex(fabric_->findData(QString::fromStdString(piece->fabric)));
     if (!beingTyped(*layer_->findChild<QLineEdit*>())) layer_->setValue(piece->layer);
     frozen_->setChecked(piece->frozen);

@@ -1,12 +1,18 @@
 #include "karinui/design/variant.h"
 
+#include <set>
+
 namespace karinui {
 
 std::vector<std::string> fabricNames(const Document& document) {
   std::vector<std::string> names;
   for (const auto& [name, fabric] : document.fabrics) names.push_back(name);
+  std::set<std::string> used;
+  for (const auto& [id, piece] : document.pattern.pieces) used.insert(piece->fabric);
+  // The cloth of the first tests is for old documents only.
   for (const Fabric& fabric : presets())
-    if (!document.fabrics.contains(fabric.name)) names.push_back(fabric.name);
+    if (!document.fabrics.contains(fabric.name) && (fabric.law != Fabric::Law::Simcloth || used.contains(fabric.name)))
+      names.push_back(fabric.name);
   return names;
 }
 

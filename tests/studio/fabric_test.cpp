@@ -65,6 +65,10 @@ TEST(StudioFabric, EveryClothOfTheShopHangsOnTheTester) {
   std::vector<QImage> seen;
   for (const Fabric& fabric : presets()) {
     SCOPED_TRACE(fabric.name);
+    if (fabric.law == Fabric::Law::Simcloth) {  // of old documents
+      EXPECT_FALSE(shown(fabric.name));
+      continue;
+    }
     ASSERT_TRUE(shown(fabric.name));
     const auto figure = drapeFigure(fabric);
     if (!figure) continue;
