@@ -136,7 +136,9 @@ void PatternView::paintEvent(QPaintEvent*) {
   }
   paintChosenEdges(painter, frame, screen());
   // A ruler in the corner: how large things are. On a ground, for a piece may lie there.
-  const double ruler = step * 5;
+  double ruler = step * 5;
+  for (const double steps : {2.0, 1.0})  // both its ends are to be seen
+    if (ruler * scale_ > width() - 2 * kRulerPad) ruler = step * steps;
   const QPointF left(18, height() - kRulerUp), right(18 + ruler * scale_, height() - kRulerUp);
   const QString rulerSaid = lengthText(ruler);
   const QFontMetricsF metrics(painter.font());

@@ -74,6 +74,26 @@ TEST(StudioPaper, AThinLineOfAScanIsWholeHoweverSmallItIsDrawn) {
   }
 }
 
+TEST(StudioPaper, TheRulerHasBothItsEndsAtEveryScale) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.rest();
+  const QColor faint = Theme::here().palette().faint;
+  for (int turn = 0; turn < 24; ++turn) {
+    const QImage seen = w.table().grab().toImage();
+    for (int y = seen.height() - 20; y < seen.height() - 16; ++y) {
+      const QColor end = seen.pixelColor(seen.width() - 2, y);
+      EXPECT_GT(std::abs(end.red() - faint.red()), 60) << "after " << turn << " turns of the wheel";
+    }
+    const QPointF middle = w.table().rect().center();
+    QWheelEvent away(middle, w.table().mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&w.table(), &away);
+    QApplication::processEvents();
+  }
+}
+
 TEST(StudioPaper, MakesADartWithTwoPointsInsideAPiece) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
