@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <tuple>
 
+#include "karinui/base/file.h"
 #include "karinui/base/number.h"
 #include "karinui/exchange/read_print.h"
 #include "karinui/session/fabric_numbers.h"
@@ -127,11 +128,12 @@ QLineEdit* FabricWizard::add(QFormLayout& form, const Message& label, double uni
 
 // In SI; nothing typed: what the line says in grey, or none.
 Result<std::vector<double>> FabricWizard::read(const QLineEdit* line) const {
-  static const QRegularExpression kBetween("[\\s;]+");
+  static const QRegularExpression kBetween(QString::fromUtf8("[\\s;、]+"));
   const auto unit = std::find_if(lines_.begin(), lines_.end(), [&](const Reading& r) { return r.line == line; })->unit;
   std::vector<double> all;
-  for (const QString& word : (line->text().trimmed().isEmpty() ? line->placeholderText() : line->text())
-                                 .split(kBetween, Qt::SkipEmptyParts)) {
+  const QString typed = line->text().normalized(QString::NormalizationForm_KC);  // full-width digits and blanks too
+  for (const QString& word :
+       (typed.trimmed().isEmpty() ? line->placeholderText() : typed).split(kBetween, Qt::SkipEmptyParts)) {
     const auto number = parseNumber(QString(word).replace(',', '.').toStdString());
     if (!number)
       return badInput(say("{0}: “{1}” is no number; type readings with spaces between them.",
@@ -209,7 +211,10 @@ void FabricWizard::readPhotographs() {
   const Token token;
   const auto whole = readPrint(flat.toStdString(), token);
   std::optional<Error> why;
-  if (!whole) why = whole.error();
+  if (!whole)
+    why = whole.error();
+  else if (const auto covered = coveredShare(*whole); !covered)
+    why = inFile(flat.toStdString(), covered.error());
   QStringList typed;
   for (const QString& name : draped) {
     if (why) break;
@@ -218,7 +223,7 @@ void FabricWizard::readPhotographs() {
     if (drape)
       typed += QString::number(100 * *drape, 'f', 1);
     else
-      why = drape.error();
+      why = hanging ? inFile(name.toStdString(), drape.error()) : drape.error();
   }
   if (why) return result_->setText(inWords(why->what).toHtmlEscaped());
   drape_->setText(typed.join(' '));

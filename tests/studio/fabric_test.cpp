@@ -3,10 +3,13 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPainter>
 #include <QTabBar>
+#include <QTimer>
 #include <QTreeWidget>
 
 #include "fabric_plot.h"
@@ -204,7 +207,7 @@ TEST(StudioFabric, AFabricIsMeasuredOnATable) {
   EXPECT_THAT(told->text().toStdString(), HasSubstr("Weigh a swatch first"));
   type("Length of the swatch", "100");
   type("Width of the swatch", "100");
-  type("Its mass", "1.9 1,9 2.0");
+  type("Its mass", "1.9、1,9　２．０");  // as they come of a Japanese keyboard
   type("Scales", "0.1");
   type("Overhang, warp", "45.5 45.0 46.0");
   type("Overhang, weft", "42.6 a");
@@ -234,6 +237,52 @@ TEST(StudioFabric, AFabricIsMeasuredOnATable) {
   EXPECT_NEAR(made.bendWarp, 2.2e-5, 0.1e-5);
   EXPECT_EQ(made.shear, preset("linen")->shear) << "what was not measured";
   EXPECT_EQ(w.main().findChild<FabricPlot*>()->fabric().name, made.name) << "and the board shows it";
+}
+
+// Of several photographs the one that is no good is named.
+TEST(StudioFabric, ThePhotographInWhichNoClothIsSeenIsNamed) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  Folder folder;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(2);
+  w.rest();
+  const auto photographed = [&](const char* name, int radius) {
+    QImage photo(300, 300, QImage::Format_RGB32);
+    photo.fill(QColor(230, 225, 210));
+    if (radius > 0) {
+      QPainter painter(&photo);
+      painter.setBrush(QColor(90, 40, 70));
+      painter.drawEllipse(QPointF(150, 150), radius, radius);
+    }
+    const QString path = QString::fromStdString((folder.path / name).string());
+    EXPECT_TRUE(photo.save(path));
+    return path;
+  };
+  const QString flat = photographed("flat.png", 100), good = photographed("first.png", 75),
+                bad = photographed("second.png", 0);
+  w.button("Measure a fabric…").click();
+  auto* wizard = w.main().findChild<QDialog*>("fabric_wizard");
+  ASSERT_TRUE(wizard);
+  const auto read = [&](const QString& lying, const QStringList& hanging) {
+    int asked = 0;
+    QTimer answers;
+    QObject::connect(&answers, &QTimer::timeout, [&] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (!dialog || asked > 1) return;
+      QStringList names;
+      for (const QString& one : asked++ == 0 ? QStringList{lying} : hanging) names += "\"" + one + "\"";
+      dialog->findChild<QLineEdit*>("fileNameEdit")
+          ->setText(names.size() == 1 ? QString(names[0]).remove('"') : names.join(' '));
+      static_cast<QDialog*>(dialog)->accept();
+    });
+    answers.start(100);
+    for (QPushButton* one : wizard->findChildren<QPushButton*>())
+      if (one->text() == "From photographs…") one->click();
+    return wizard->findChild<QLabel*>("measured")->text().toStdString();
+  };
+  EXPECT_THAT(read(flat, {good, bad}), HasSubstr("second.png: "));
+  EXPECT_THAT(read(bad, {good}), HasSubstr("second.png: "));
 }
 
 TEST(StudioLook, ColourAndPrintAreChosenUndoneAndSeen) {
