@@ -107,6 +107,7 @@ PoseDialog::PoseDialog(Session& session, QWidget* parent) : QDialog(parent), ses
   column->addWidget(said_);
   column->addStretch(1);
   Theme::here().keep(this, [this] {
+    tell();
     filling_ = true;
     setWindowTitle(inWords(say("Pose of the figure")));
     view_->setAccessibleName(inWords(say("Pose of the figure")));

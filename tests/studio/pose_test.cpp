@@ -78,6 +78,19 @@ TEST(StudioPose, TheWindowIsDrawnOnAfterTheDialogIsClosed) {
   EXPECT_EQ(p.w.space().grabFramebuffer(), before);
 }
 
+TEST(StudioPose, TheOpenDialogFollowsTheLanguage) {
+  KARINUI_NEEDS_DISPLAY();
+  Posing p;
+  const auto* said = p.dialog->findChild<QLabel*>("pose_said");
+  ASSERT_TRUE(said);
+  const QString english = said->text();
+  EXPECT_THAT(english.toStdString(), HasSubstr("Drag a hand"));
+  Theme::here().setLanguage(Language::Japanese);
+  EXPECT_NE(said->text(), english);
+  Theme::here().setLanguage(Language::English);
+  EXPECT_EQ(said->text(), english);
+}
+
 TEST(StudioPose, TheFigureIsSeenOnItsWayWithItsGarment) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
