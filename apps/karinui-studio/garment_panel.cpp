@@ -123,6 +123,7 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   fabric_ = new QComboBox;
   letShrink(*fabric_);
   layer_ = new QSpinBox;
+  layer_->setObjectName("piece_layer");
   layer_->setRange(0, 20);
   layer_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   frozen_ = new QCheckBox;

@@ -18,6 +18,7 @@
 #include <algorithm>
 
 #include "accessibility.h"
+#include "board_keys.h"
 #include "cap.h"
 #include "device_panel.h"
 #include "drafts.h"
@@ -32,7 +33,6 @@
 #include "orbit.h"
 #include "start_page.h"
 #include "theme.h"
-#include "undo_guard.h"
 #include "variables_dialog.h"
 #include "wheel_guard.h"
 
@@ -51,7 +51,7 @@ QSize firstSize(QSize available) {
 
 MainWindow::MainWindow(SessionOptions options) {
   WheelGuard::install();
-  UndoGuard::install();
+  BoardKeys::install();
   letViewsSpeak();
   wake_.setSingleShot(true);
   connect(&wake_, &QTimer::timeout, this, &MainWindow::refresh);

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QSettings>
+#include <QSpinBox>
 #include <QTest>
 #include <QToolTip>
 
@@ -318,6 +319,49 @@ TEST(StudioTyped, CtrlZTakesBackTheStepAlsoWhereABoxHasTheKeys) {
     EXPECT_EQ(w.count(), before) << typed;
     EXPECT_EQ(angle->value(), 0);
   }
+}
+
+// A piece is clicked, named, and looked at from behind.
+TEST(StudioTyped, ANameThatIsGivenLeavesTheKeysToTheFitting) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.main()));
+  Selection chosen;
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("front")->id};
+  w.session().select(chosen);
+  w.main().boards().setCurrentIndex(0);
+  w.rest();
+  QLineEdit* name = nullptr;
+  for (QLineEdit* one : w.main().findChildren<QLineEdit*>())
+    if (one->isVisible() && one->text() == "front") name = one;
+  ASSERT_TRUE(name);
+  const std::size_t before = w.count();
+  name->setFocus(Qt::MouseFocusReason);
+  name->selectAll();
+  QTest::keyClicks(name, "panel");
+  QTest::keyClick(name, Qt::Key_Return);
+  w.rest();
+  EXPECT_EQ(w.main().focusWidget(), &w.space());
+  QTest::keyClick(w.main().focusWidget(), Qt::Key_3);
+  w.rest();
+  EXPECT_EQ(w.count(), before + 1) << w.main().said().toStdString();
+  EXPECT_TRUE(w.session().snapshot().document.pieceNamed("panel"));
+  EXPECT_EQ(name->text(), "panel");
+  // A number too.
+  auto* layer = w.main().findChild<QSpinBox*>("piece_layer");
+  ASSERT_TRUE(layer);
+  layer->setFocus(Qt::MouseFocusReason);
+  layer->selectAll();
+  QTest::keyClicks(layer, "2");
+  QTest::keyClick(layer, Qt::Key_Return);
+  w.rest();
+  EXPECT_EQ(w.main().focusWidget(), &w.space());
+  EXPECT_EQ(w.session().snapshot().document.pieceNamed("panel")->layer, 2);
+  std::size_t layers = 0;
+  for (const Step& step : w.session().steps()) layers += text(step.operation).starts_with("layer");
+  EXPECT_EQ(layers, 1u);
 }
 
 // A name is given and Return pressed: the next key goes into no other box.
