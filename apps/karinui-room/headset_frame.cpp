@@ -31,8 +31,8 @@ std::optional<Rigid> Headset::head(XrTime time) {
   XrSpaceLocation at{};
   at.type = XR_TYPE_SPACE_LOCATION;
   if (!check(xrLocateSpace(headSpace_, space_, time, &at), "xrLocateSpace")) return std::nullopt;
-  constexpr auto kKnown = XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_VALID_BIT;
-  if ((at.locationFlags & kKnown) != kKnown) return std::nullopt;
+  constexpr auto kPlaceKnown = XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_VALID_BIT;
+  if ((at.locationFlags & kPlaceKnown) != kPlaceKnown) return std::nullopt;
   return rigidOf(at.pose);
 }
 
@@ -48,8 +48,8 @@ std::optional<std::array<Headset::View, 2>> Headset::views(XrTime time) {
   std::uint32_t count = 0;
   if (!check(xrLocateViews(session_, &where, &state, 2, &count, located_.data()), "xrLocateViews") || count != 2)
     return std::nullopt;
-  constexpr auto kKnown = XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_VALID_BIT;
-  if ((state.viewStateFlags & kKnown) != kKnown) return std::nullopt;
+  constexpr auto kViewKnown = XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_VALID_BIT;
+  if ((state.viewStateFlags & kViewKnown) != kViewKnown) return std::nullopt;
   std::array<View, 2> views;
   for (std::size_t eye = 0; eye < 2; ++eye) {
     const XrFovf& fov = located_[eye].fov;

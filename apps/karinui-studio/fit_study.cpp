@@ -1,10 +1,14 @@
 #include "fit_study.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QListWidget>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QTableWidget>
 #include <QThread>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "file_filter.h"

@@ -395,7 +395,9 @@ TEST_F(TamperedBeforeVerbs, AnotherFigureIsToldByCheck) {
   Store::Content content = contentOf(whole());
   EXPECT_EQ(karinui("check " + whole()).err.find("The figure kept"), std::string::npos);
   std::string before = hash(Document());
-  for (auto& [row, parts] : content.steps) {
+  for (auto& step : content.steps) {
+    auto& row = step.first;
+    auto& parts = step.second;
     auto figure = unpackFigure(content.blobs[parts.at("figure")]);
     ASSERT_TRUE(figure);
     Body::Parts wide;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "exchange/patterns.h"
 #include "exchange/sheet.h"
@@ -172,8 +173,8 @@ TEST(TableFrame, TellsWhatIsSewnToWhat) {
   const Flat front = table.layout.at(madeBy<PieceId>(1, 0)), back = table.layout.at(madeBy<PieceId>(1, 1));
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_NEAR(a.ticks[i].place.v - front.v, b.ticks[i].place.v - back.v, kTiny) << "sewn place on place";
-  EXPECT_GT(length(Flat(frame.seams[1].colour[0] - frame.seams[2].colour[0],
-                        frame.seams[1].colour[1] - frame.seams[2].colour[1])),
+  EXPECT_GT(std::hypot(frame.seams[1].colour[0] - frame.seams[2].colour[0],
+                       frame.seams[1].colour[1] - frame.seams[2].colour[1]),
             0.05);
 }
 

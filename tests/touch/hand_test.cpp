@@ -149,9 +149,9 @@ TEST(SimulatedHand, ContactIsStableAtTheLimitsOfTheDevice) {
         ride.start = {0, 0.01, 0};
         ride.seconds = 9;
         ride.aim = [](double t) { return Vec3{0, t < 2 ? 0.01 : -0.01, 0}; };
-        ride.sceneAt = [stiffness](double, Vec3) {
+        ride.sceneAt = [stiff = stiffness](double, Vec3) {
           TouchScene scene = floorScene();
-          scene.stiffness = stiffness;
+          scene.stiffness = stiff;
           return scene;
         };
         ride.go();
