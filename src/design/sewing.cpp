@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "design/sides_up.h"
 #include "design/spoken.h"
 #include "karinui/base/number.h"
 #include "karinui/base/said_lengths.h"
@@ -463,6 +464,8 @@ bool lieFlat(const Document& document, const SewEdges& sew) {
   return several;
 }
 
+  if (sew.tie != SewEdges::Tie::Pleat)  // there cloth is folded onto itself
+    if (const auto told = reversedBySides(document, sew)) return *told;
 }  // namespace
 
 std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew, const Body* body) {

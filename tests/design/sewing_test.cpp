@@ -278,6 +278,25 @@ TEST_F(Sewing, RightSidesTellTheDirectionWherePlacesDoNot) {
   EXPECT_THAT(doubts(backs), IsEmpty());
 }
 
+// The last edge of a gusset lies any way round until the cloth draws it there.
+TEST_F(Sewing, SeamsThatAreThereTellTheDirection) {
+  play(
+      "piece name=front outline=\"M 0 0; low L 100 0; right L 100 300; top L 0 300; left L 0 0\"\n"
+      "piece name=back pose=\"0.1,0,0\" outline=\"M 0 0; low L 100 0; right L 100 300; top L 0 300; left L 0 0\"\n"
+      "piece name=gusset pose=\"0,-0.3,0 z -90deg\" outline=\"M 0 0; low L 80 0; right L 80 100; top L 0 100; left L 0 "
+      "0\"\nline piece=gusset along=\"2cm,2cm; 2cm,8cm\" name=placket\n"
+      "sew a=front.right b=back.left\n");
+  const std::string last = "sew a=gusset.right b=back.low";
+  EXPECT_EQ(sew(last).reversed, Choice::No) << "as they lie";
+  play("sew a=gusset.left b=front.low\n");
+  EXPECT_EQ(sew(last).reversed, Choice::Yes) << "right side to right side";
+  EXPECT_THAT(doubts(sew(last)), IsEmpty());
+  EXPECT_EQ(sew(last + " tie=pleat").reversed, Choice::No) << "cloth is laid onto itself there";
+  EXPECT_EQ(sew("sew a=gusset.placket b=back.low").reversed, Choice::No) << "a line has cloth on both sides";
+  play(last + " reversed=no");  // said so: the cloth is twisted, and tells nothing more
+  EXPECT_EQ(sew("sew a=gusset.top b=back.top").reversed, sew("sew a=gusset.top b=front.top").reversed);
+}
+
 // A neighbour that stood still would be a wall: two centimetres at a shirt's front were felt as 38 newtons for 1.
 TEST_F(Sewing, WhatHangsTogetherMovesWhenItIsPulled) {
   play(std::string(kAcross) +

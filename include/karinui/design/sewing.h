@@ -42,9 +42,9 @@ Message longerSaid(const Document& document, const std::vector<EdgeRef>& a, cons
 // A sentence where one side is longer by more than is eased in: it is to be gathered, or is a slip.
 std::optional<Message> longerSide(const Document& document, const SewEdges& sew);
 
-// Whether side b runs against its own direction, judged by how the edges lie and, where that does not tell clearly, by
-// the pieces' right sides: outlines of pieces that both turn it away from the body run against each other. `sew` as
-// for the operation.
+// Whether side b runs against its own direction. Where seams hold the pieces together already the cloth stays
+// two-sided. Otherwise it is judged by how the edges lie and, where that does not tell clearly, by the pieces' right
+// sides: outlines of pieces that both turn it away from the body run against each other. `sew` as for the operation.
 bool facesReversed(const Document& document, const SewEdges& sew, const Body* body);
 
 // What is possible but hardly meant.
