@@ -260,6 +260,40 @@ std::vector<EdgeRef> inOutlineOrder(const Document& document, std::vector<EdgeRe
   return apart(document, turned) < kPlainly * apart(document, side) ? turned : side;
 }
 
+std::vector<EdgeRef> asTheyFollow(const Document& document, std::vector<EdgeRef> side) {
+  constexpr double kFar = 0.1;      // metres: a front that opens stands nearer to the other
+  constexpr double kPlainly = 0.2;  // of what the run as it is listed is apart
+  constexpr std::size_t kMost = 24;
+  const std::size_t n = side.size();
+  // What lies as it was drawn stands nowhere yet.
+  const double listed = n < 2 || n > kMost || anyUnplaced(document, side) ? 0 : apart(document, side);
+  if (listed < kFar) return side;
+  std::vector<double> gap(n * n);  // from the end of one to the start of the other
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      if (i != j) gap[i * n + j] = apart(document, {side[i], side[j]});
+  std::vector<std::size_t> best;
+  double least = kPlainly * listed;
+  for (std::size_t first = 0; first < n; ++first) {  // from each on to the nearest that is left
+    std::vector<std::size_t> left, order{first};
+    for (std::size_t k = 0; k < n; ++k)
+      if (k != first) left.push_back(k);
+    double sum = 0;
+    while (!left.empty()) {
+      const double* from = &gap[order.back() * n];
+      const auto next = std::min_element(left.begin(), left.end(),
+                                         [&](std::size_t one, std::size_t other) { return from[one] < from[other]; });
+      sum += from[*next];
+      order.push_back(*next);
+      left.erase(next);
+    }
+    if (sum < least) least = sum, best = std::move(order);
+  }
+  std::vector<EdgeRef> run;
+  for (const std::size_t k : best) run.push_back(side[k]);
+  return run.empty() ? side : run;
+}
+
 bool overlap(const EdgeRef& a, const EdgeRef& b) {
   return a.piece.id == b.piece.id && a.edge == b.edge && std::fmin(a.to, b.to) - std::fmax(a.from, b.from) > 1e-6;
 }
@@ -430,6 +464,8 @@ double outwardness(const Document& document, const std::vector<EdgeRef>& side, c
 }  // namespace
 
 bool facesReversed(const Document& document, const SewEdges& sew, const Body* body) {
+  if (sew.tie != SewEdges::Tie::Pleat)  // there cloth is folded onto itself
+    if (const auto told = reversedBySides(document, sew)) return *told;
   constexpr double kClearly = 0.25;  // of the squared distances the other way round
   constexpr double kTurned = 0.3;
   // About their own middles: so a piece that still hangs apart is judged by its shape.
@@ -464,8 +500,6 @@ bool lieFlat(const Document& document, const SewEdges& sew) {
   return several;
 }
 
-  if (sew.tie != SewEdges::Tie::Pleat)  // there cloth is folded onto itself
-    if (const auto told = reversedBySides(document, sew)) return *told;
 }  // namespace
 
 std::vector<SeamDoubt> seamDoubts(const Document& document, const SewEdges& sew, const Body* body) {

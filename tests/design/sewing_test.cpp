@@ -364,6 +364,38 @@ TEST(SewnRuns, AreSewnAsTheyFollowEachOther) {
   EXPECT_FALSE(apply(before, op("band name=low of=\"hem.one hem.three\" depth=3cm"), room.context));
 }
 
+// The fronts of a romper, named as one sees them, each from its own side: sewn as they were listed both sides came to
+// the middle.
+TEST(SewnRuns, GoOnFromPieceToPiece) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(
+      file,
+      "piece name=left pose=0,0,0.1 outline=\"M 0 0; hem L 200 0; side L 200 300; waist L 100 290; waist_2 L 0 300; "
+      "centre L 0 0\"\n"
+      "piece name=right pose=0,0,0.1 outline=\"M 0 0; centre L 0 300; waist_2 L -100 290; waist L -200 300; side L "
+      "-200 0; hem L 0 "
+      "0\"\nsew a=left.centre b=right.centre\n"
+      "piece name=top pose=\"0,0.3,0\" outline=\"M -200 0; hem L 200 0; end L 200 200; up L -200 200; other L -200 "
+      "0\"\n"));
+  const Document before = file.document();
+  const std::string line = "sew a=top.hem b=\"right.waist* left.waist*\"";
+  const auto edges = [](const Document& document) {
+    std::string all;
+    for (const EdgeSpan& span : document.pattern.seams.rbegin()->second.b)
+      all += document.find(span.piece)->name + "." + span.edge + " ";
+    return all;
+  };
+  EXPECT_EQ(edges(*apply(before, op(line), room.context)), "left.waist left.waist_2 right.waist_2 right.waist ");
+  room.context.recorded = true;
+  EXPECT_EQ(edges(*apply(before, op(line), room.context)), "right.waist_2 right.waist left.waist left.waist_2 ");
+  room.context.recorded = false;
+  // What stands near goes on there, though nothing holds it: a front that opens, and a skirt whose zip is in the
+  // middle.
+  const std::string fronts = "sew a=top.hem b=\"right.hem left.hem\"";
+  EXPECT_EQ(edges(*apply(before, op(fronts), room.context)), "right.hem left.hem ");
+}
+
 // “skirt.waist*” is every edge of the outline whose name begins so; the record names them.
 TEST(SewnRuns, AreNamedByHowTheirNamesBegin) {
   Workroom room;

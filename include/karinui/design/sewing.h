@@ -17,6 +17,9 @@ std::vector<SeamId> seamsOn(const Document& document, const std::vector<EdgeRef>
 // outlines, is turned round; any other is left as it is. Edges follow each other on their outline, at a corner that is
 // sewn, or where they stand.
 std::vector<EdgeRef> inOutlineOrder(const Document& document, std::vector<EdgeRef> side);
+// A run whose edges stand far apart as they are listed, as those of two fronts named from the wrong side, in the order
+// in which they follow each other; any other is left as it is.
+std::vector<EdgeRef> asTheyFollow(const Document& document, std::vector<EdgeRef> side);
 // A run of edges without what lies beyond so many metres from its first end (or its last). Runs are in the outlines'
 // order.
 std::vector<EdgeRef> trimmed(const Document& document, const std::vector<EdgeRef>& side, double metres, bool fromLast);

@@ -124,6 +124,7 @@ Done resolve(const Document& given, SewEdges& op, Context& context) {
     *side = inOutlineOrder(before, std::move(*side));
     if (!context.recorded && brokenRun(before, *side) && onOutlines(before, *side))
       if (auto run = asOneRun(before, *side)) *side = *std::move(run);
+    if (!context.recorded && onOutlines(before, *side)) *side = asTheyFollow(before, std::move(*side));
   }
   if (!op.name.empty()) {
     if (Done done = checkName(op.name); !done) return done;
