@@ -359,6 +359,42 @@ TEST_F(Placed, WhatIsTurnedBackStaysOutside) {
   EXPECT_LT(lowest, top - 0.1);  // it is turned down
 }
 
+// A collar is led by the one half of its neckline: the other half goes on beyond its end, as large as it is on paper.
+TEST_F(Placed, WhatIsWiderThanItsEdgeIsNotCrushed) {
+  Workroom own;
+  auto file = DocumentFile::inMemory();
+  ASSERT_TRUE(
+      own.play(file,
+               "piece name=back pose=0,1,0 outline=\"M -200 0; hem L 200 0; side L 200 400; neck_right L 0 400; "
+               "neck_left L -200 400; other L -200 0\"\n"
+               "polygon name=collar symmetric=yes points=\"0,0; 25cm,0; 25cm,15cm; 10cm,15cm; 0,15cm\" "
+               "edges=\"fall end ~ neck fold\"\n"));
+  const auto spaceShare = [&](const Document& document) {  // of the cloth that is half as large as on paper, at least
+    const Piece& collar = *document.pieceNamed("collar");
+    std::size_t kept = 0;
+    for (const auto& face : collar.form->faces) {
+      const auto flat = [&](std::size_t k) { return collar.form->flat[face[k]]; };
+      const auto space = [&](std::size_t k) { return collar.form->space[face[k]]; };
+      const double paper = std::fabs(cross(flat(1) - flat(0), flat(2) - flat(0)));
+      kept += length(cross(space(1) - space(0), space(2) - space(0))) > 0.5 * paper ? 1 : 0;
+    }
+    return static_cast<double>(kept) / static_cast<double>(collar.form->faces.size());
+  };
+  const std::string line = "attach edge=collar.neck_left to=back.neck_left turn=170deg turned=yes";
+  const Document before = file.document();
+  const auto led = apply(before, op(line), own.context);
+  ASSERT_TRUE(led) << text(led.error().what);
+  EXPECT_DOUBLE_EQ(spaceShare(*led), 1);
+  own.context.recorded = true;
+  EXPECT_LT(spaceShare(*apply(before, op(line), own.context)), 0.7) << "a record keeps its meaning";
+  EXPECT_DOUBLE_EQ(spaceShare(*apply(before, op(line + " beyond=yes"), own.context)), 1);
+  own.context.recorded = false;
+  ASSERT_TRUE(
+      own.play(file, line + "\nrectangle name=cuff width=40cm height=5cm\nattach edge=cuff.bottom to=back.hem\n"));
+  EXPECT_NE(file.log().find("turned=yes clear=yes beyond=yes"), std::string::npos) << file.log();
+  EXPECT_EQ(file.log().find("back.hem beyond"), std::string::npos) << "nothing lies beyond";
+}
+
 // A curved hem is taken in as it is curved; its ends alone would leave a tongue between them.
 TEST_F(Placed, ACurvedHemIsTakenInAsAWhole) {
   Workroom own;

@@ -73,7 +73,43 @@ std::string_view stem(std::string_view name) {
 
 struct Along {
   double share = 0, off = 0;  // along the edge; to its left, metres
+  double beyond = 0;          // metres past the end of the edge, along its direction there; before its start negative
 };
+
+// Where places of a piece lie along one of its edges.
+class AlongEdge {
+ public:
+  explicit AlongEdge(const Curve& curve) : line_(curve.evenly(0, 1, kPlaces)) {}
+  Along operator()(Flat p, bool beyond) const {
+    Along best;
+    double least = 1e9;
+    for (std::size_t i = 0; i + 1 < line_.size(); ++i) {
+      const Flat way = line_[i + 1] - line_[i];
+      const double t = std::clamp(dot(p - line_[i], way) / dot(way, way), 0.0, 1.0);
+      const double d = distance(p, line_[i] + way * t);
+      if (d < least - 1e-12) {
+        least = d;
+        best = {(static_cast<double>(i) + t) / kPlaces, std::copysign(d, cross(way, p - line_[i]))};
+      }
+    }
+    if (!beyond || (best.share > 0 && best.share < 1)) return best;
+    const bool last = best.share > 0;
+    const Flat end = last ? line_.back() : line_.front();
+    const Flat way = normalized(last ? end - line_[line_.size() - 2] : line_[1] - end);
+    return {best.share, cross(way, p - end), dot(p - end, way)};
+  }
+
+ private:
+  std::vector<Flat> line_;
+};
+
+// Whether a piece has cloth beyond the ends of an edge.
+bool goesBeyond(const Piece& piece, const std::string& edge) {
+  constexpr double kBeyond = 0.01, kFine = 0.001;  // metres
+  const AlongEdge along(piece.outline.edges[*piece.outline.find(edge)].curve);
+  const Ring ring = piece.outline.flattened(kFine);
+  return std::any_of(ring.begin(), ring.end(), [&](Flat p) { return std::fabs(along(p, true).beyond) > kBeyond; });
+}
 
 // By how much a piece is turned outwards at each place of a run.
 class TurnsAlong {
@@ -329,21 +365,7 @@ SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run) {
 Result<Piece> attached(const Document& document, Piece piece, const std::string& edge, const SpaceRun& run,
                        const FoldedOn& fold, const Body* body) {
   const Curve& curve = piece.outline.edges[*piece.outline.find(edge)].curve;
-  std::vector<Flat> line = curve.evenly(0, 1, kPlaces);
-  const auto alongEdge = [&](Flat p) {
-    Along best;
-    double least = 1e9;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      const Flat way = line[i + 1] - line[i];
-      const double t = std::clamp(dot(p - line[i], way) / dot(way, way), 0.0, 1.0);
-      const double d = distance(p, line[i] + way * t);
-      if (d < least - 1e-12) {
-        least = d;
-        best = {(static_cast<double>(i) + t) / kPlaces, std::copysign(d, cross(way, p - line[i]))};
-      }
-    }
-    return best;
-  };
+  const AlongEdge alongEdge(curve);
   const auto laid = layAlone(piece, document.settings.spacing);
   if (!laid) return laid.error();
   auto form = std::make_shared<Form>();
@@ -351,7 +373,7 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
   form->faces = (*laid)->faces;
   std::vector<Along> on;
   double depth = 0;
-  for (const Flat p : form->flat) on.push_back(alongEdge(p)), depth = std::fmax(depth, on.back().off);
+  for (const Flat p : form->flat) on.push_back(alongEdge(p, fold.beyond)), depth = std::fmax(depth, on.back().off);
 
   // Frames along the run: onwards at right angles to it, and outwards from the cloth. What is turned back lies over all
   // of the run, small waves of a draped edge would toss it to and fro.
@@ -385,8 +407,10 @@ Result<Piece> attached(const Document& document, Piece piece, const std::string&
     const auto i = static_cast<std::size_t>(k);
     const double t = s - k, angle = std::lerp(turns[i], turns[i + 1], t);
     const Vec3 o = normalized(lerp(onward[i], onward[i + 1], t)), f = normalized(lerp(out[i], out[i + 1], t));
+    const double forward = fold.over ? a.beyond : -a.beyond;
     form->space.push_back(lerp(run.place[i], run.place[i + 1], t) +
-                          (o * std::cos(angle) + f * std::sin(angle)) * a.off);
+                          (o * std::cos(angle) + f * std::sin(angle)) * a.off +
+                          (forward < 0 ? way.front() : way.back()) * forward);
   }
   piece.form = std::move(form);
   piece.pose = Rigid();
@@ -461,6 +485,8 @@ Done resolve(const Document& before, AttachPiece& op, Context& context) {
   if (!(std::abs(op.turn) <= 4)) return refused(say("That turn is too large."));
   if (op.end || !op.endTo.empty() || op.over) return resolveStrap(before, op, context);
   decideClear(op.turn, op.clear, context);
+  if (op.beyond == Choice::Auto && !context.recorded && goesBeyond(*before.find(op.edge.piece.id), op.edge.edge))
+    op.beyond = Choice::Yes;
   return decideRound(before, op.to, op.round, context);
 }
 
@@ -473,7 +499,7 @@ Result<Document> perform(const Document& before, const AttachPiece& op, Context&
   }
   if (op.end) return strapLed(before, op, *body);
   auto piece = ledTo(before, *before.find(op.edge.piece.id), op.edge.edge, runOf(before, op.to),
-                     {op.turn, op.turned, op.clear == Choice::Yes}, body.get(), op.round);
+                     {op.turn, op.turned, op.clear == Choice::Yes, op.beyond == Choice::Yes}, body.get(), op.round);
   if (!piece) return piece.error();
   return withPiece(before, *std::move(piece));
 }

@@ -87,7 +87,7 @@ Result<Document> perform(const Document& before, const DrawBand& op, Context& co
   const SpaceRun run = runOf(before, op.of);
   const PieceId id = piece->id;
   auto stood = ledTo(before, *std::move(piece), op.edges[0], run,
-                     {op.turn, op.turned, op.clear == Choice::Yes, op.wrap}, body.get(), op.round);
+                     {op.turn, op.turned, op.clear == Choice::Yes, false, op.wrap}, body.get(), op.round);
   if (!stood) return stood.error();
   Document after = withPiece(before, *std::move(stood));
   Seam seam;

@@ -48,6 +48,7 @@ struct FoldedOn {
   double turn = 0;
   bool over = false;
   bool clear = false;     // beyond a right angle, only as far as the body and standing cloth let it
+  bool beyond = false;    // what lies beyond the ends of the edge goes on straight; it was crushed into them
   std::string wrap = {};  // the edge on top, where it is led round the body more than once
 };
 // Auto becomes yes beyond a right angle; a record made before there was a choice keeps its meaning.

@@ -82,6 +82,7 @@ struct AttachPiece {
   std::optional<EdgeRef> end;
   std::vector<EdgeRef> endTo;
   std::optional<BodyPoint> over;
+  Choice beyond = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge of the piece that is led there", kNeeded);
@@ -95,6 +96,11 @@ struct AttachPiece {
           kOptional);
     visit("end_to", self.endTo, "the run that the other end comes to", kOptional);
     visit("over", self.over, kOverHelp, kOptional);
+    visit(
+        "beyond", self.beyond,
+        "what lies beyond the ends of that edge goes on straight: auto, yes, no (auto: yes where there is such, but no "
+        "in a record that does not have it)",
+        kOptional);
   }
   bool operator==(const AttachPiece&) const = default;
 };
