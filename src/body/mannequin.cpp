@@ -149,6 +149,9 @@ Unmet unmetOf(const FigureSolver& solver, const Anthropometry& measured) {
 Error unmetSaid(const Unmet& unmet, std::optional<double> limit) {
   const std::string& key = unmet.key;
   const Message wanted = measureSaid(key, unmet.wanted);
+  if (!limit && !unmet.other.empty())
+    return refused(say("{0} {1} and {2} {3} do not go together. Change one of them, or leave it out.", key, wanted,
+                       unmet.other, measureSaid(unmet.other, unmet.otherWanted)));
   if (!limit)
     return refused(say("No body could be made with {0} {1} beside the other measurements. Change it or leave it out.",
                        key, wanted));
@@ -282,6 +285,18 @@ Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& 
   return Body::make(std::move(parts));
 }
 
+// The stated girth without which the others can be met: what the solver's slopes do not tell where it stopped far off.
+std::string inTheWay(const Measurements& wanted, const Unmet& unmet, Workers& workers, const Token& token,
+                     MannequinEnds ends) {
+  Unmet ignored;
+  for (const char* key : {"waist_girth", "hip_girth", "belly_girth", "under_bust_girth", "bust_girth"}) {
+    Measurements others = wanted;
+    if (key == unmet.key || others.value.erase(key) == 0 || token.cancelled()) continue;
+    if (made(others, workers, token, ends, ignored)) return key;
+  }
+  return {};
+}
+
 // Where the solver stops is no limit yet: what is told as one has been made. Tried are that place, what follows
 // without the measure, and the middle between.
 std::optional<double> nearestMade(Measurements wanted, const Unmet& unmet, Workers& workers, const Token& token,
@@ -309,6 +324,10 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   Unmet unmet;
   auto body = made(wanted, workers, token, ends, unmet);
   if (body || unmet.key.empty()) return body;
+  if (unmet.other.empty() && !token.cancelled()) {
+    unmet.other = inTheWay(wanted, unmet, workers, token, ends);
+    if (!unmet.other.empty()) unmet.otherWanted = wanted.value.at(unmet.other);
+  }
   const auto limit = nearestMade(wanted, unmet, workers, token, ends);
   if (token.cancelled()) return cancelled();
   return unmetSaid(unmet, limit);

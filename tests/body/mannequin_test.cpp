@@ -248,6 +248,18 @@ TEST(Mannequin, AQuarrelNamesBothAndTheRange) {
   EXPECT_TRUE(said.find("at most") != std::string::npos || said.find("at least") != std::string::npos) << said;
 }
 
+// A stout figure whose waist is stated too wide: it is the waist that stands in the way of the bust.
+TEST(Mannequin, AQuarrelFarOffNamesBoth) {
+  Workers workers(1);
+  const Token token;
+  const Measurements wanted{Sex::Female,
+                            {{"height", 1.65}, {"bust_girth", 1.30}, {"waist_girth", 1.18}, {"hip_girth", 1.34}}};
+  const auto body = makeMannequin(wanted, workers, token);
+  ASSERT_FALSE(body);
+  const std::string said = text(body.error().what);
+  EXPECT_NE(said.find("bust_girth 130.0 cm and waist_girth 118.0 cm do not go together"), std::string::npos) << said;
+}
+
 // Arms that are thick enough to lie at the trunk, where the tape jumps from grid to grid, are no quarrel.
 TEST(Mannequin, ThickArmsOfAStoutFigureAreMade) {
   for (const double arm : {0.40, 0.39}) {
