@@ -33,6 +33,13 @@ std::string withScript(const std::string& words, const std::string& script) {
 
 std::string yesOrNo(bool yes, const Console& console) { return console.said(yes ? say("yes") : say("no")); }
 
+// What is caught in with another piece, as a facing, is held by such a seam too, and is not folded.
+bool isPleat(const Seam& seam, bool even) {
+  return seam.tie == Seam::Tie::Pleat && (!even || std::any_of(seam.b.begin(), seam.b.end(), [&](const EdgeSpan& span) {
+           return span.piece == seam.a.front().piece;
+         }));
+}
+
 }  // namespace
 
 std::string bodyWords(const Measurements& measured, const MeshReport& mesh, const Console& console) {
@@ -158,13 +165,14 @@ std::string infoWords(const Document& document, const Console& console) {
     words += edges.words(2);
   }
   if (!document.pattern.seams.empty()) words += "\n" + said(say("Seams:")) + "\n";
+  constexpr double kEven = 0.0005;
   WordTable seams;
   for (const auto& [id, seam] : document.pattern.seams) {
     const double ease = easeRatio(document.pattern, seam) - 1;
     seams.row({text(id), seam.name, sideWords(document, seam.a), sideWords(document, seam.b),
-               seam.tie == Seam::Tie::Pleat      ? said(say("pleated"))
+               isPleat(seam, ease < kEven)       ? said(say("pleated"))
                : seam.tie == Seam::Tie::TwoToOne ? said(say("gathered, {0} longer", percent(ease)))
-               : ease < 0.0005                   ? said(say("even"))
+               : ease < kEven                    ? said(say("even"))
                                                  : said(say("eased, {0} longer", percent(ease)))});
   }
   words += seams.words(2);

@@ -182,7 +182,10 @@ Message sidesSaid(const Document& document, const std::vector<EdgeRef>& a, const
   if (whole(a) && whole(b) && a[0].edge == b[0].edge && !isNumbered(a[0].edge))
     return say("{0}: {1}", nameSaid(a[0].edge),
                say("{0} – {1}", pieceSaid(document, a[0].piece), pieceSaid(document, b[0].piece)));
+  constexpr std::size_t kMost = 4;  // edges of a side that are named one by one: a pleated waist has a dozen
   const auto side = [&](const std::vector<EdgeRef>& edges) {
+    if (edges.size() > kMost)
+      return say("{0} … {1}", edgeSaid(document, edges.front()), edgeSaid(document, edges.back()));
     std::vector<Message> all;
     for (const EdgeRef& edge : edges) all.push_back(edgeSaid(document, edge));
     return listSaid(all);

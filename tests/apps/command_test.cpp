@@ -228,6 +228,22 @@ TEST_F(Command, ProgressIsToldInFewLinesWhereNobodyWatches) {
   EXPECT_LE(count, 3) << settled.err;
 }
 
+TEST_F(Command, CallsAFacingsSeamEven) {
+  ASSERT_EQ(play("piece name=skirt outline=\"M 0 0; hem L 400 0; side L 400 500; waist L 0 500; other L 0 0\"\n"
+                 "facing edges=skirt.waist width=4cm\n"
+                 "rectangle name=sash width=30cm height=40cm\npleat edge=sash.top at=0.5 depth=2cm\n")
+                .exit,
+            0);
+  std::istringstream lines(karinui("info " + document()).out);
+  int even = 0, pleated = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("skirt_facing.waist") != std::string::npos && line.ends_with("even")) ++even;
+    if (line.find("sash") != std::string::npos && line.ends_with("pleated")) ++pleated;
+  }
+  EXPECT_EQ(even, 1);
+  EXPECT_GE(pleated, 1);
+}
+
 TEST_F(Command, AnswersInSentencesWithUnits) {
   ASSERT_EQ(play("piece name=front outline=\"M 0 0; hem L 400 0; side L 400 500; top L 0 500; centre L 0 0\"\n"
                  "piece name=back outline=\"M 0 0; hem L 400 0; side L 400 505; top L 0 505; centre L 0 0\" "

@@ -196,6 +196,14 @@ TEST(Glossary, EdgesWithANumberAreCalledByHowTheyAreCutAndWhereTheyLie) {
   EXPECT_EQ(text(edgeSaid(document, {PieceRef("front"), "e2"})), "left side (e2) of front");
   EXPECT_EQ(text(seamSaid(document, document.pattern.seams.begin()->second)),
             "left side (e2) of front – left side (edge_3) of back");
+  Seam pleated;
+  pleated.a = {{document.pieceNamed("front")->id, "e2"}};
+  for (const char* edge : {"edge_0", "edge_1", "edge_2", "edge_3", "edge_0"})
+    pleated.b.push_back({document.pieceNamed("back")->id, edge});
+  EXPECT_EQ(text(seamSaid(document, pleated)), "left side (e2) of front – " +
+                                                   text(edgeSaid(document, {PieceRef("back"), "edge_0"})) + " … " +
+                                                   text(edgeSaid(document, {PieceRef("back"), "edge_0"})))
+      << "a dozen edges are not read";
   EXPECT_EQ(said(identifierSaid(document, "front.e2")), "left side of front");
   EXPECT_EQ(said(identifierSaid(document, "front.e12")), "edge 12 of front") << "there is no such edge";
   EXPECT_EQ(said(identifierSaid(document, "bust_girth")), "Bust girth");
