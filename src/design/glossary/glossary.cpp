@@ -143,6 +143,13 @@ bool isPlace(std::string_view part) {
   return isDigits(part) || std::find(kPlaces.begin(), kPlaces.end(), part) != kPlaces.end();
 }
 
+// What follows "top" where that is a garment, not an edge, as when a block's pieces are called so: "top_front_left".
+bool isOfATop(std::string_view part) {
+  static constexpr std::array<std::string_view, 8> kParts{"front", "back",  "sleeve", "collar",
+                                                          "cuff",  "stand", "pocket", "yoke"};
+  return std::find(kParts.begin(), kParts.end(), part) != kParts.end();
+}
+
 // A name the program made up, or that is made of words it knows; nothing: a person's own. What is named later belongs
 // to what is named before: "pocket_left_low_right" is the right lower edge of the left pocket.
 std::optional<Message> ownNameSaid(std::string_view name) {
@@ -173,6 +180,12 @@ std::optional<Message> ownNameSaid(std::string_view name) {
       mirrored = true;
     } else if (last && isDigits(part)) {
       last->stem.number += (last->stem.number.empty() ? "" : "-") + std::string(part);
+    } else if (!last && part == "top" && i + 1 < parts.size() && isOfATop(parts[i + 1])) {
+      NamePart top;
+      top.stem = {say("top"), false, 1, {}};
+      top.side = first;
+      top.garment = true;
+      all.push_back(std::move(top));
     } else {
       const auto stem = stemOf(std::span(parts).subspan(i));
       if (!stem) return std::nullopt;
