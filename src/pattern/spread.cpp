@@ -214,8 +214,14 @@ class Slashing {
     if (!met.empty()) {
       const auto first =
           std::min_element(met.begin(), met.end(), [](const Meeting& x, const Meeting& y) { return x.at < y.at; });
+      const std::string& meets = edges_[first->on.edge].name;
+      if (meets == slash_.to || meets == slash_.from)
+        return refused(say(
+            "From “{0}” to “{1}” the paper cannot be cut straight: it comes to “{2}” before, at {3} mm. Name the part "
+            "of “{2}” that lies opposite, as {2}@0:0.5, or the place of a single slash.",
+            slash_.from, slash_.to, meets, inMm(first->place)));
       return refused(say("From “{0}” to “{1}” the paper cannot be cut straight: “{2}” is in the way, at {3} mm.",
-                         slash_.from, slash_.to, edges_[first->on.edge].name, inMm(first->place)));
+                         slash_.from, slash_.to, meets, inMm(first->place)));
     }
     if (!contains(piece_.outline.flattened(1e-5), lerp(a_, b_, 0.5)))
       return refused(say("From “{0}” to “{1}” the paper cannot be cut straight: the line runs beside it.", slash_.from,

@@ -133,6 +133,15 @@ TEST(SlashAndSpread, TellsWhatIsInTheWay) {
   };
   EXPECT_THAT(cut("spread from=front.hem to=front.top at=0.8 to_at=0.2 by=3cm"),
               testing::HasSubstr("From “hem” to “top” the paper cannot be cut straight: “dart” is in the way, at "));
+  // A sleeve's crown in two edges over one hem: each is slashed to its own half.
+  ASSERT_TRUE(
+      room().play(file,
+                  "piece name=sleeve outline=\"M -150 0; hem C -50 150 50 150 150 0; under L 180 100; cap_back L 0 "
+                  "200; cap_front L -180 100; under_2 L -150 0\"\n"));
+  EXPECT_THAT(cut("spread from=sleeve.cap_front to=sleeve.hem by=3cm to_by=3cm count=4"),
+              testing::HasSubstr("Name the part of “hem” that lies opposite, as hem@0:0.5"));
+  EXPECT_TRUE(
+      file.perform(op("spread from=sleeve.cap_front to=sleeve.hem@0:0.5 by=3cm to_by=3cm count=4"), room().context));
   EXPECT_THAT(cut("spread from=front.side to=front.side_2 at=0.5 to_at=0.5 by=3cm"),
               testing::HasSubstr("is in the way"));
 }
