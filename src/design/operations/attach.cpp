@@ -452,8 +452,8 @@ Done resolveStrap(const Document& before, AttachPiece& op, Context& context) {
     return refused(
         say("A strap has two ends: say the edge at its other end and where that comes to: end=strap.top "
             "end_to=back.top."));
-  if (op.turn != 0 || op.turned || op.clear != Choice::Auto || op.round)
-    return refused(say("A strap lies on the body: leave turn=, turned=, clear= and round= away."));
+  if (op.turn != 0 || op.turned || op.clear != Choice::Auto || op.round || op.beyond != Choice::Auto)
+    return refused(say("A strap lies on the body: leave turn=, turned=, clear=, round= and beyond= away."));
   op.end->from = 0, op.end->to = 1;
   if (Done done = resolve(before, *op.end); !done) return done;
   if (op.end->piece != op.edge.piece || op.end->edge == op.edge.edge)
