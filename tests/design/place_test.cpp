@@ -558,6 +558,33 @@ TEST_F(Placed, ClothGoesRoundMoreThanOnce) {
   }
 }
 
+// What a belly is wider than the hip goes into the front of skirt, trousers and leggings; without a belly nothing does.
+TEST_F(Placed, LowerBlocksGoOverABelly) {
+  const auto drafted = [&](const std::string& figure, const std::string& kind) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(file, "body size=eu38" + figure + "\nblock kind=" + kind + " trued=no\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    return file.document();
+  };
+  const auto wide = [](const Document& document, const char* piece) {
+    const FlatBox box = boxOf(document.pieceNamed(piece)->outline.flattened(1e-4));
+    return box.high.u - box.low.u;
+  };
+  const std::string belly = " set=\"belly_girth=106cm\"";
+  const Document skirt = drafted(belly, "skirt");
+  const double hip = bodyOf(skirt, room().context).value()->measured().value.at("hip_girth");
+  EXPECT_NEAR(wide(skirt, "skirt_front") - wide(skirt, "skirt_back"), 1.06 - hip, 2e-3);
+  for (const char* kind : {"trousers", "leggings"}) {
+    const Document with = drafted(belly, kind), without = drafted(belly, std::string(kind) + " belly=no");
+    EXPECT_GT(wide(with, "leg_front_left"), wide(without, "leg_front_left") + 0.01) << kind;
+    EXPECT_EQ(with.pieceNamed("leg_back_left")->outline, without.pieceNamed("leg_back_left")->outline) << kind;
+  }
+  for (const char* kind : {"skirt", "trousers", "leggings"}) {
+    const Document yes = drafted("", kind), no = drafted("", std::string(kind) + " belly=no");
+    for (const auto& [id, piece] : yes.pattern.pieces) EXPECT_EQ(piece->outline, no.find(id)->outline) << kind;
+  }
+}
+
 // The front and the back of a gathered skirt stand before and behind the body in waves, side to side.
 TEST_F(Placed, AWideFrontAndBackStandInWaves) {
   const std::string panels =

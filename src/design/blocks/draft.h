@@ -76,6 +76,7 @@ struct Draft {
 
 struct BlockWish {
   std::optional<double> ease, length;
+  bool belly = false;  // lower pieces have room for a belly that is wider than the hip
 };
 Result<Draft> bodiceDraft(const Measured& of, const BlockWish& wish);
 Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish);

@@ -17,6 +17,13 @@ Quarter quarterOf(double waist, double hip, double atSide) {
   return {hip - side, hip, less - side};
 }
 
+// What a quarter of the front is wider than one of the back: a belly that is wider than the hip stands out in front.
+// Where the waist is wider than the hip, too, nothing would hold up what has room for both; it is worn below the belly.
+double bellyRoom(const Measured& of, const BlockWish& wish, bool front) {
+  const double hip = of("hip_girth");
+  return wish.belly && front && of("waist_girth") <= hip ? std::fmax(0, of.belly().girth - hip) / 2 : 0;
+}
+
 void sewLegs(Draft& draft) {
   draft.seams.push_back(
       {"crotch_front", {draftedEdge("leg_front_left", "crotch")}, {draftedEdge("leg_front_right", "crotch")}});
@@ -71,21 +78,22 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
   if (!(whole > deep + 0.03))
     return refused(
         say("A skirt that long ends above the hip; it has to be longer than {0} cm.", std::round((deep + 0.03) * 100)));
-  const Quarter q = quarterOf(waist, hip, 0.03);
   const double flare = 0.10 * (whole - deep);
-  const double rise = 0.010;  // the side is cut higher than the centre, for it runs over the hip
-  const Flat foot{hip + flare, -whole}, seat{hip, -deep}, top{q.waist, rise};
-  const Flat up = top - seat;
-  const std::vector<Curve> side{
-      Curve::line(foot, seat),
-      Curve::cubic(seat, seat + normalized(seat - foot) * (0.35 * length(up)), top - Flat{-0.006, 0.3 * up.v}, top)};
-  const std::vector<Edge> half{
-      {"hem", Curve::line({0, -whole}, foot)},
-      {"side", Curve::joined(side)},
-      {"waist", Curve::cubic(top, top - Flat{0.3 * q.waist, 0.003}, {0.4 * q.waist, 0}, {0, 0})}};
+  const double rise = 0.010;          // the side is cut higher than the centre, for it runs over the hip
   constexpr double kFrontDart = 0.8;  // of their mean width: the seat is rounder than the belly, which pouches less so
   Draft draft;
   for (const bool front : {true, false}) {
+    const double wide = hip + bellyRoom(of, wish, front);
+    const Quarter q = quarterOf(waist, wide, 0.03);
+    const Flat foot{wide + flare, -whole}, seat{wide, -deep}, top{q.waist, rise};
+    const Flat up = top - seat;
+    const std::vector<Curve> side{
+        Curve::line(foot, seat),
+        Curve::cubic(seat, seat + normalized(seat - foot) * (0.35 * length(up)), top - Flat{-0.006, 0.3 * up.v}, top)};
+    const std::vector<Edge> half{
+        {"hem", Curve::line({0, -whole}, foot)},
+        {"side", Curve::joined(side)},
+        {"waist", Curve::cubic(top, top - Flat{0.3 * q.waist, 0.003}, {0.4 * q.waist, 0}, {0, 0})}};
     const std::string name = front ? "skirt_front" : "skirt_back";
     const std::string plus = front ? "_left" : "_right", minus = front ? "_right" : "_left";
     DraftPiece piece{name, wholeOf(half, plus, minus), {}, {}, {}, {}};
@@ -125,17 +133,19 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
   Draft draft;
   for (const bool front : {true, false}) {
     const double fork = of("hip_girth") * (front ? 0.045 : 0.10), more = front ? -0.008 : 0.008;
-    const double width = hip + more, crease = (width - fork) / 2;  // u = 0: the centre seam; the leg hangs at u > 0
-    const Quarter q = quarterOf(waist + more, width, 0.02);
-    const double high = 0.62 * seat;                                      // of the hip line, below the waist
-    const double rise = front ? 0 : 0.025, lean = front ? 0.006 : 0.028;  // the back's centre is longer and leans
-    const double wide = front ? -0.008 : 0.008;                           // the back of the leg is wider
+    const double room = bellyRoom(of, wish, front);  // half of it at the side, half at the centre
+    // u = 0: the centre seam; the leg hangs at u > 0
+    const double width = hip + more + room / 2, crease = (hip + more - fork) / 2;
+    const Quarter q = quarterOf(waist + more, hip + more + room, 0.02);
+    const double high = 0.62 * seat;  // of the hip line, below the waist
+    const double rise = front ? 0 : 0.025, lean = (front ? 0.006 : 0.028) - room / 2;  // the back is longer and leans
+    const double legMore = front ? -0.008 : 0.008;                                     // the back of the leg is wider
     const Flat centre{lean, rise}, side{lean + q.waist, 0.008}, hipSide{width, -high};
     const double hem = -inside;
-    const double kneeW = kneeHalf + wide / 2, hemW = hemHalf + wide / 2;
+    const double kneeW = kneeHalf + legMore / 2, hemW = hemHalf + legMore / 2;
     const Flat kneeOut{crease + kneeW, -knee}, kneeIn{crease - kneeW, -knee};
     const Flat hemOut{crease + hemW, hem}, hemIn{crease - hemW, hem};
-    const Flat tip{-fork, -seat}, seatCentre{0, -high};
+    const Flat tip{-fork, -seat}, seatCentre{0 - room / 4, -high};
     const bool toKnee = inside > knee + 0.05;
     const Flat outEnd = toKnee ? hemOut : lerp(hipSide, kneeOut, (inside - high) / (knee - high));
     const Flat inEnd = toKnee ? hemIn : lerp(tip, kneeIn, (inside - seat) / (knee - seat));
@@ -187,14 +197,16 @@ Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish) {
   const double high = 0.62 * seat, calfDown = std::lerp(kneeDown, ankleDown, 0.3);
   Draft draft;
   for (const bool front : {true, false}) {
-    const double to = front ? -1 : 1;  // the back is the wider one
-    const double fork = (front ? 0.3 : 0.7) * forks, width = hip + to * 0.006, crease = (width - fork) / 2;
-    const double rise = front ? 0 : 0.025, lean = front ? 0.004 : 0.02;
+    const double to = front ? -1 : 1;                        // the back is the wider one
+    const double room = share * bellyRoom(of, wish, front);  // half of it at the side, half at the centre
+    const double fork = (front ? 0.3 : 0.7) * forks, even = hip + to * 0.006, width = even + room / 2,
+                 crease = (even - fork) / 2;
+    const double rise = front ? 0 : 0.025, lean = (front ? 0.004 : 0.02) - room / 2;
     const auto half = [&](double round) { return round / 4 + to * 0.004; };
     const Flat centre{lean, rise}, side{lean + waist + to * 0.004, 0.006}, hipSide{width, -high}, tip{-fork, -seat};
     // How far from the crease the leg ends, at `down` below the waist: straight from girth to girth.
     const std::vector<Flat> girths{
-        {(width + fork) / 2, seat}, {half(knee), kneeDown}, {half(calf), calfDown}, {half(ankle), ankleDown}};
+        {(even + fork) / 2, seat}, {half(knee), kneeDown}, {half(calf), calfDown}, {half(ankle), ankleDown}};
     const auto legAt = [&](double down) {
       for (std::size_t k = 1; k < girths.size(); ++k)
         if (down <= girths[k].v)
@@ -207,7 +219,7 @@ Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish) {
     for (auto at = outside.rbegin(); at != outside.rend(); ++at) within.push_back({2 * crease - at->u, at->v});
     outside.push_back(hipSide);
     outside.push_back(side);
-    const Flat seatCentre{0, -high}, down = normalized(seatCentre - centre);
+    const Flat seatCentre{0 - room / 4, -high}, down = normalized(seatCentre - centre);
     const std::vector<Curve> crotch{
         Curve::line(centre, seatCentre),
         Curve::cubic(seatCentre, seatCentre + down * (0.75 * (seat - high)), tip + Flat{0.62 * fork, 0}, tip)};

@@ -108,6 +108,7 @@ TermTable fieldTerms() {
       {"bend_weft", say("Bending, weft")},
       {"by", say("How far (left, up, forward)")},
       {"bent", say("How it is bent")},
+      {"belly", say("Room for the belly")},
       {"beyond", say("Straight on beyond the edge")},
       {"between", say("Two places on the scan")},
       {"by.ease", say("Difference of the sides")},

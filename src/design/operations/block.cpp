@@ -303,6 +303,8 @@ Done resolve(const Document& before, DraftBlock& op, Context& context) {
   if (op.layer < 0 || op.layer > 20) return refused(say("A layer is a number from 0, next to the skin, to 20."));
   if (op.kind == Kind::Leggings && op.fabric.empty()) op.fabric = "jersey";  // narrower than the body
   if (op.trued == Choice::Auto && !context.recorded) op.trued = Choice::Yes;
+  const bool lower = op.kind == Kind::Skirt || op.kind == Kind::Trousers || op.kind == Kind::Leggings;
+  if (op.belly == Choice::Auto && !context.recorded && lower) op.belly = Choice::Yes;
   if (!op.fabric.empty()) return checkFabricName(before, op.fabric);
   return {};
 }
@@ -314,6 +316,7 @@ Result<Document> perform(const Document& before, const DraftBlock& op, Context& 
   BlockWish wish;
   if (op.ease) wish.ease = op.ease->metres;
   if (op.length) wish.length = op.length->metres;
+  wish.belly = op.belly == Choice::Yes;
   Result<Draft> draft = refused(say("There is no such block."));
   switch (op.kind) {
     case Kind::Bodice:

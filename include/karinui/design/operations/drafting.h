@@ -104,6 +104,7 @@ struct DraftBlock {
   int layer = 0;
   Choice trued = Choice::Auto;
   bool over = false;
+  Choice belly = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("kind", self.kind, "bodice, sleeve, skirt, trousers, leggings, shirt or collar", kNeeded);
@@ -116,6 +117,11 @@ struct DraftBlock {
           "yes, no (auto: yes, but no in a record that does not have it)",
           kOptional);
     visit("over", self.over, "yes: it stands off the cloth that is there too, as a waistcoat off a shirt", kOptional);
+    visit("belly", self.belly,
+          "the front of a skirt, trousers or leggings has room for a belly that is wider than the hip, above a waist "
+          "that "
+          "is not: auto, yes, no (auto: yes, but no in a record that does not have it)",
+          kOptional);
   }
   bool operator==(const DraftBlock&) const = default;
 };
