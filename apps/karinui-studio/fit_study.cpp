@@ -1,5 +1,6 @@
 #include "fit_study.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>

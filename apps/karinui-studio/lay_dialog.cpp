@@ -1,10 +1,18 @@
 #include "lay_dialog.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
 #include <QTabBar>
 #include <QThread>
+#include <QVBoxLayout>
 #include <cmath>
 
 #include "accessibility.h"

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "design/pack.h"
+#include "karinui/design/glossary.h"
 
 namespace karinui {
 
