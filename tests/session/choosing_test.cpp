@@ -99,5 +99,33 @@ TEST_F(Choosing, NothingToSpareIsNotLessThanNothing) {
   EXPECT_THAT(session.preview().table.words.front().text, testing::HasSubstr("30.0 cm / 30.0 cm   +0.0 cm (+0.0 %)"));
 }
 
+// Who gives a chosen edge a name goes on with that edge.
+TEST_F(Choosing, AnEdgeThatIsRenamedStaysChosen) {
+  Selection chosen;
+  chosen.pieces = {front};
+  chosen.edge = EdgeNear{front, session.snapshot().document.find(front)->outline.edges.front().name, 0.5, 0};
+  const std::string was = chosen.edge->edge;
+  session.select(chosen);
+  session.perform(op("rename edge=front." + was + " to=lower_edge"));
+  session.finish();
+  ASSERT_TRUE(session.selection().edge);
+  EXPECT_EQ(session.selection().edge->edge, "lower_edge");
+  session.command(Command::Undo);
+  session.finish();
+  ASSERT_TRUE(session.selection().edge);
+  EXPECT_EQ(session.selection().edge->edge, was);
+}
+
+// What is done next is done to the copy.
+TEST_F(Choosing, ThePieceThatADuplicateMadeIsChosen) {
+  Selection chosen;
+  chosen.pieces = {front};
+  session.select(chosen);
+  session.command(Command::Duplicate);
+  session.finish();
+  ASSERT_EQ(session.selection().pieces.size(), 1u);
+  EXPECT_EQ(session.snapshot().document.find(*session.selection().pieces.begin())->name, "front_2");
+}
+
 }  // namespace
 }  // namespace karinui

@@ -717,41 +717,6 @@ TEST(Session, TheMenuIsHitByThePointerThatWorksTheCloth) {
   EXPECT_EQ(session.tool(), Command::Reshape);
 }
 
-// Who gives a chosen edge a name goes on with that edge.
-TEST(Session, AnEdgeThatIsRenamedStaysChosen) {
-  Held held;
-  Session session(held.options());
-  giveTwo(session);
-  Selection chosen;
-  chosen.pieces = {session.snapshot().document.pieceNamed("front")->id};
-  chosen.edge = EdgeNear{*chosen.pieces.begin(),
-                         session.snapshot().document.pieceNamed("front")->outline.edges.front().name, 0.5, 0};
-  const std::string was = chosen.edge->edge;
-  session.select(chosen);
-  session.perform(op(("rename edge=front." + was + " to=lower_edge").c_str()));
-  session.finish();
-  ASSERT_TRUE(session.selection().edge);
-  EXPECT_EQ(session.selection().edge->edge, "lower_edge");
-  session.command(Command::Undo);
-  session.finish();
-  ASSERT_TRUE(session.selection().edge);
-  EXPECT_EQ(session.selection().edge->edge, was);
-}
-
-// What is done next is done to the copy.
-TEST(Session, ThePieceThatADuplicateMadeIsChosen) {
-  Held held;
-  Session session(held.options());
-  giveTwo(session);
-  Selection chosen;
-  chosen.pieces = {session.snapshot().document.pieceNamed("front")->id};
-  session.select(chosen);
-  session.command(Command::Duplicate);
-  session.finish();
-  ASSERT_EQ(session.selection().pieces.size(), 1u);
-  EXPECT_EQ(session.snapshot().document.find(*session.selection().pieces.begin())->name, "front_2");
-}
-
 TEST(Session, OpensCopiesAndReopensWhereItWas) {
   const auto folder = std::filesystem::temp_directory_path() / "karinui_session_test";
   std::filesystem::remove_all(folder);
