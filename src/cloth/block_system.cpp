@@ -11,6 +11,7 @@ namespace {
 
 // The work of an iteration on a slot of a grid block, on another one, and on an entry of its row; any unit.
 constexpr double kGridSlot = 35, kOtherSlot = 12, kEntry = 20;
+constexpr std::size_t kUnknownBlock = 1024;   // unknowns that a thread copies at a time
 constexpr int kWindow = 10;                   // iterations whose decrease of energy estimates the error left,
 constexpr int kCoarseWindow = 4;              // the same with a coarse space,
 constexpr int kCoarseSpeedup = 4;             // which needs so many times fewer of them
@@ -209,12 +210,12 @@ double BlockSystem::multiply(Workers& workers) {
 }
 
 // The matrix changes little from step to step. It is assembled anew when it is old or costs too many iterations.
-bool BlockSystem::coarseMatrixReady() {
+bool BlockSystem::coarseMatrixReady(Workers& workers) {
   if (unknowns() < kLeastForCoarse) return false;
   const bool dear = age_ > 2 && iterations_ > kMostGrowth * iterationsWhenNew_;
   if (coarse_.ready() && age_ < kMostSolves && !dear) return true;
   age_ = 0;
-  return coarse_.assemble(stepMatrix());
+  return coarse_.assemble(stepMatrix(), workers);
 }
 
 void BlockSystem::updateResidual(float alpha, bool coarse, Workers& workers) {
@@ -266,14 +267,16 @@ int BlockSystem::solve(std::span<const Vec3> force, const StoppingRule& rule, co
     largest = std::fmax(largest, std::fmax(std::fabs(f.x), std::fmax(std::fabs(f.y), std::fabs(f.z))));
   if (!(largest > 0)) return 0;
   invertDiagonal(workers);
-  const bool coarse = coarseMatrixReady();
+  const bool coarse = coarseMatrixReady(workers);
   for (auto* lanes : {&d_, &r_, &p_, &q_})
     for (auto& axis : *lanes) std::fill(axis.begin(), axis.end(), 0.0f);
-  for (std::size_t k = 0; k < count; ++k) {  // scaled to one, so that small forces keep their digits in float
-    r_[0][slotOf_[k]] = static_cast<float>(force[k].x / largest);
-    r_[1][slotOf_[k]] = static_cast<float>(force[k].y / largest);
-    r_[2][slotOf_[k]] = static_cast<float>(force[k].z / largest);
-  }
+  workers.forBlocks(count, kUnknownBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {  // scaled to one, so that small forces keep their digits in float
+      r_[0][slotOf_[k]] = static_cast<float>(force[k].x / largest);
+      r_[1][slotOf_[k]] = static_cast<float>(force[k].y / largest);
+      r_[2][slotOf_[k]] = static_cast<float>(force[k].z / largest);
+    }
+  });
   updateResidual(0, coarse, workers);
   double rz = applyPreconditioner(0, coarse, workers);
   const double first = rz;
@@ -303,8 +306,10 @@ int BlockSystem::solve(std::span<const Vec3> force, const StoppingRule& rule, co
   }
   iterations_ = iteration;
   if (age_++ == 0) iterationsWhenNew_ = std::max(iteration, kFewIterations);
-  for (std::size_t k = 0; k < count; ++k)
-    move[k] = Vec3{d_[0][slotOf_[k]], d_[1][slotOf_[k]], d_[2][slotOf_[k]]} * largest;
+  workers.forBlocks(count, kUnknownBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      move[k] = Vec3{d_[0][slotOf_[k]], d_[1][slotOf_[k]], d_[2][slotOf_[k]]} * largest;
+  });
   return iteration;
 }
 

@@ -54,7 +54,7 @@ class BlockSystem {
 
  private:
   void invertDiagonal(Workers& workers);
-  bool coarseMatrixReady();  // assembled anew when it is due
+  bool coarseMatrixReady(Workers& workers);  // assembled anew when it is due
   std::span<const double> rangeLoads() const { return std::span(load_).subspan(1); }
   // The passes of an iteration, each over the ranges of the layout.
   double multiply(Workers& workers);                                       // q = A p, returns p . q

@@ -207,14 +207,12 @@ void CoarseSpace::findRows() {
     if (slot != kNoNode && free_[slot] == 0) interpolation_.apart[slot] = 1;
 }
 
-bool CoarseSpace::assemble(const StepMatrix& step) {
+bool CoarseSpace::assemble(const StepMatrix& step, Workers& workers) {
   if (!numbered_) numberNodes();
   matrix_.clear();
-  GalerkinMatrix galerkin(layout_, step, interpolation_, numberOf_, matrix_);
-  for (const CoarseGrid& grid : grids_)
-    if (grid.block) galerkin.addBlock(grid);
-  galerkin.addRest();
-  ready_ = std::any_of(std::begin(kShifts), std::end(kShifts), [&](double shift) { return matrix_.factor(shift); });
+  galerkin_.assemble({layout_, step, interpolation_, numberOf_}, grids_, nodeOf_.size(), matrix_, workers);
+  ready_ =
+      std::any_of(std::begin(kShifts), std::end(kShifts), [&](double shift) { return matrix_.factor(workers, shift); });
   return ready_;
 }
 

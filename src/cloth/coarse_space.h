@@ -27,7 +27,7 @@ class CoarseSpace {
 
   void setTies(std::span<const std::uint32_t> independents,
                std::span<const DependentSlot> dependents);  // forgets the matrix
-  bool assemble(const StepMatrix& step);                    // and factors A_c; whether it could be
+  bool assemble(const StepMatrix& step, Workers& workers);  // and factors A_c; whether it could be
   bool ready() const { return ready_; }
 
   // A range's range of P^T r; for different ranges from different threads.
@@ -63,6 +63,7 @@ class CoarseSpace {
   Interpolation interpolation_;
   std::array<std::vector<float>, 3> value_;  // per coarse node: P^T r, then c
   std::vector<Restriction> restrictions_;    // per range of the layout
+  GalerkinMatrix galerkin_;
   EnvelopeCholesky matrix_;
   std::vector<float> found_;
   bool numbered_ = false, ready_ = false;

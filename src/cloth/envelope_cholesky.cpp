@@ -8,8 +8,9 @@
 namespace karinui {
 namespace {
 
+// Inlined whatever their size: else they would have the width of the default.
 template <class Number>
-inline Number dotOf(std::size_t count, const Number* __restrict a, const Number* __restrict b) {
+[[gnu::always_inline]] inline Number dotOf(std::size_t count, const Number* __restrict a, const Number* __restrict b) {
   Number lane[kLanes] = {};
   std::size_t k = 0;
   for (; k + kLanes <= count; k += kLanes)
@@ -28,11 +29,14 @@ struct Rows {
 };
 
 constexpr std::size_t kTogether = 3;  // rows: the axes of a node begin in one column
+constexpr std::size_t kPanel = 48;    // columns
+constexpr std::size_t kGroups = 4;    // rows taken together, a piece of a thread's work
 
 // The two sums of dotOf for each of `a` with b, over lanes and over what is left behind the last whole ones, side by
 // side: by itself each dot product waits for its own sums.
 template <class Number>
-inline void dotsOf(std::size_t count, const Number* const* a, const Number* __restrict b, Number* over, Number* left) {
+[[gnu::always_inline]] inline void dotsOf(std::size_t count, const Number* const* a, const Number* __restrict b,
+                                          Number* over, Number* left) {
   const Number* __restrict a0 = a[0], * __restrict a1 = a[1], * __restrict a2 = a[2];
   Number lane0[kLanes] = {}, lane1[kLanes] = {}, lane2[kLanes] = {}, left0 = 0, left1 = 0, left2 = 0;
   std::size_t k = 0;
@@ -58,36 +62,42 @@ inline bool areTogether(const Rows& rows, std::size_t i) {
   return i + kTogether <= rows.count && rows.first[i + 1] == rows.first[i] && rows.first[i + 2] == rows.first[i];
 }
 
-// Cholesky, row by row, or three rows at a time that begin in one column; false when a diagonal is not positive.
-KARINUI_WIDE bool factorRows(const Rows rows, double* value) {
-  for (std::size_t i = 0; i < rows.count;) {
-    const std::size_t first = rows.first[i];
-    const bool together = areTogether(rows, i);
-    const std::size_t taken = together ? kTogether : 1;
-    double* row[kTogether];
-    for (std::size_t r = 0; r < taken; ++r) row[r] = value + rows.start[i + r] - first;
-    if (together)
-      for (std::size_t j = first; j < i; ++j) {
-        const double* other = value + rows.start[j] - rows.first[j];
-        const std::size_t from = std::max<std::size_t>(first, rows.first[j]);
-        const double* const a[kTogether] = {row[0] + from, row[1] + from, row[2] + from};
-        double over[kTogether], left[kTogether];
-        dotsOf(j - from, a, other + from, over, left);
-        for (std::size_t r = 0; r < kTogether; ++r) row[r][j] = (row[r][j] - (left[r] + over[r])) / other[j];
+// The columns of some rows between `begin` and `end`, which is not past the first of them. The rows of these numbers
+// are done.
+KARINUI_WIDE void eliminate(const Rows rows, std::size_t i, std::size_t taken, std::size_t begin, std::size_t end,
+                            double* value) {
+  const std::size_t first = rows.first[i];
+  double* row[kTogether];
+  for (std::size_t r = 0; r < taken; ++r) row[r] = value + rows.start[i + r] - rows.first[i + r];
+  for (std::size_t j = std::max(first, begin); j < end; ++j) {
+    const double* other = value + rows.start[j] - rows.first[j];
+    const std::size_t from = std::max<std::size_t>(first, rows.first[j]);
+    if (taken == kTogether) {
+      const double* const a[kTogether] = {row[0] + from, row[1] + from, row[2] + from};
+      double over[kTogether], left[kTogether];
+      dotsOf(j - from, a, other + from, over, left);
+      for (std::size_t r = 0; r < kTogether; ++r) row[r][j] = (row[r][j] - (left[r] + over[r])) / other[j];
+    } else {
+      row[0][j] = (row[0][j] - dotOf(j - from, row[0] + from, other + from)) / other[j];
+    }
+  }
+}
+
+// Their columns from the first of them on; false when a diagonal is not positive.
+KARINUI_WIDE bool finish(const Rows rows, std::size_t i, std::size_t taken, double* value) {
+  for (std::size_t r = 0; r < taken; ++r) {
+    double* row = value + rows.start[i + r] - rows.first[i + r];
+    for (std::size_t j = i; j <= i + r; ++j) {
+      const double* other = value + rows.start[j] - rows.first[j];
+      const std::size_t from = std::max<std::size_t>(rows.first[i], rows.first[j]);
+      const double left = row[j] - dotOf(j - from, row + from, other + from);
+      if (j < i + r) {
+        row[j] = left / other[j];
+      } else {
+        if (!(left > 0)) return false;
+        row[j] = std::sqrt(left);
       }
-    for (std::size_t r = 0; r < taken; ++r)
-      for (std::size_t j = together ? i : first; j <= i + r; ++j) {
-        const double* other = value + rows.start[j] - rows.first[j];
-        const std::size_t from = std::max<std::size_t>(first, rows.first[j]);
-        const double left = row[r][j] - dotOf(j - from, row[r] + from, other + from);
-        if (j < i + r) {
-          row[r][j] = left / other[j];
-        } else {
-          if (!(left > 0)) return false;
-          row[r][j] = std::sqrt(left);
-        }
-      }
-    i += taken;
+    }
   }
   return true;
 }
@@ -147,15 +157,43 @@ EnvelopeCholesky::EnvelopeCholesky(std::vector<std::uint32_t> first) : first_(st
   value_.assign(size, 0);
   low_.resize(size);
   perDiagonal_.resize(first_.size());
+  findPanels();
+}
+
+void EnvelopeCholesky::findPanels() {
+  const Rows rows{first_.size(), first_.data(), start_.data()};
+  for (std::size_t i = 0; i < rows.count; i += areTogether(rows, i) ? kTogether : 1)
+    group_.push_back(static_cast<std::uint32_t>(i));
+  group_.push_back(static_cast<std::uint32_t>(rows.count));
+  const auto groups = static_cast<std::uint32_t>(group_.size() - 1);
+  for (std::uint32_t begin = 0, end = 0; begin < groups; begin = end) {
+    for (end = begin + 1; end < groups && group_[end + 1] - group_[begin] <= kPanel;) ++end;
+    panels_.push_back({begin, end, end});
+  }
+  for (std::uint32_t g = 0; g < groups; ++g)
+    for (auto panel = panels_.rbegin(); panel != panels_.rend() && group_[panel->end] > first_[group_[g]]; ++panel)
+      panel->reach = std::max(panel->reach, g + 1);
 }
 
 void EnvelopeCholesky::clear() { std::fill(value_.begin(), value_.end(), 0.0); }
 
-bool EnvelopeCholesky::factor(double shift) {
+bool EnvelopeCholesky::factor(Workers& workers, double shift) {
   factor_ = value_;
   const auto diagonal = [&](std::size_t i) -> double& { return factor_[start_[i] + i - first_[i]]; };
   for (std::size_t i = 0; i < first_.size(); ++i) diagonal(i) *= 1 + shift;
-  if (!factorRows({first_.size(), first_.data(), start_.data()}, factor_.data())) return false;
+  const Rows rows{first_.size(), first_.data(), start_.data()};
+  const auto rowsOf = [&](std::size_t g) { return std::size_t{group_[g + 1] - group_[g]}; };
+  for (const Panel& panel : panels_) {
+    const std::size_t begin = group_[panel.begin], end = group_[panel.end];
+    for (std::size_t g = panel.begin; g < panel.end; ++g) {
+      eliminate(rows, group_[g], rowsOf(g), begin, group_[g], factor_.data());
+      if (!finish(rows, group_[g], rowsOf(g), factor_.data())) return false;
+    }
+    workers.forBlocks(panel.reach - panel.end, kGroups, [&](std::size_t from, std::size_t to) {
+      for (std::size_t g = panel.end + from; g < panel.end + to; ++g)
+        eliminate(rows, group_[g], rowsOf(g), begin, end, factor_.data());
+    });
+  }
   std::transform(factor_.begin(), factor_.end(), low_.begin(), [](double v) { return static_cast<float>(v); });
   for (std::size_t i = 0; i < first_.size(); ++i) perDiagonal_[i] = static_cast<float>(1 / diagonal(i));
   return true;

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "karinui/base/workers.h"
+
 namespace karinui {
 
 class EnvelopeCholesky {
@@ -18,12 +20,21 @@ class EnvelopeCholesky {
   double& at(std::uint32_t row, std::uint32_t column) {  // column from the row's first to the row
     return value_[start_[row] + column - first_[row]];
   }
-  bool factor(double shift = 0);         // with its diagonal times 1 + shift; whether that was positive
-  void solve(std::span<float> x) const;  // in: the right-hand side
+  bool factor(Workers& workers, double shift = 0);  // with its diagonal times 1 + shift; whether that was positive
+  void solve(std::span<float> x) const;             // in: the right-hand side
 
  private:
+  // Columns that are eliminated at once, first from the rows of the same numbers, then by all threads from the rows
+  // below. Numbers of groups: rows that are taken together.
+  struct Panel {
+    std::uint32_t begin = 0, end = 0, reach = 0;  // `reach`: past the last group that has an entry in these columns
+  };
+  void findPanels();
+
   std::vector<std::uint32_t> first_;
-  std::vector<std::size_t> start_;  // of each row in value_ and low_
+  std::vector<std::size_t> start_;    // of each row in value_ and low_
+  std::vector<std::uint32_t> group_;  // the first row of each, and one past the last row
+  std::vector<Panel> panels_;
   std::vector<double> value_, factor_;
   std::vector<float> low_, perDiagonal_;
 };

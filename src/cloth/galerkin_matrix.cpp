@@ -1,333 +1,52 @@
 #include "cloth/galerkin_matrix.h"
 
-#include <algorithm>
-
-#include "karinui/base/wide.h"
-
 namespace karinui {
 namespace {
 
-struct Direction {  // arrays of its three axes
-  const float *x, *y, *z;
+constexpr std::size_t kLists = 16;  // of a part: rows of A_c that one thread adds at a time
+
+struct Part {
+  const CoarseGrid* grid = nullptr;  // null: the range's rest
+  std::uint32_t row = 0, rows = 0;   // fine ones, of a coarse cell
+  const SlotRange* range = nullptr;
 };
-Direction wayAt(const std::array<std::vector<float>, 3>& way, std::size_t slot) {
-  return {way[0].data() + slot, way[1].data() + slot, way[2].data() + slot};
-}
 
-// The six entries of across I + along along^T.
-KARINUI_WIDE void tension(std::size_t count, std::size_t width, const float* __restrict across, const Direction along,
-                          float* __restrict out) {
-  KARINUI_APART
-  for (std::size_t i = 0; i < count; ++i) {
-    const float x = along.x[i], y = along.y[i], z = along.z[i];
-    out[i] = across[i] + x * x;
-    out[width + i] = x * y;
-    out[2 * width + i] = x * z;
-    out[3 * width + i] = across[i] + y * y;
-    out[4 * width + i] = y * z;
-    out[5 * width + i] = across[i] + z * z;
+std::vector<Part> partsOf(const GridLayout& layout, std::span<const CoarseGrid> grids) {
+  std::vector<Part> parts;
+  for (const CoarseGrid& grid : grids) {
+    if (!grid.block) continue;
+    for (std::uint32_t row = 0, next = 0; row < grid.block->rows; row = next) {
+      for (next = row + 1; next < grid.block->rows && grid.row.cell[next] == grid.row.cell[row];) ++next;
+      parts.push_back({&grid, row, next - row, nullptr});
+    }
   }
+  for (const SlotRange& range : layout.ranges) parts.push_back({nullptr, 0, 0, &range});
+  return parts;
 }
-
-// Adds corner way way^T.
-KARINUI_WIDE void addShear(std::size_t count, std::size_t width, const float* __restrict corner, const Direction way,
-                           float* __restrict out) {
-  KARINUI_APART
-  for (std::size_t i = 0; i < count; ++i) {
-    const float c = corner[i], x = way.x[i], y = way.y[i], z = way.z[i];
-    out[i] += c * x * x;
-    out[width + i] += c * x * y;
-    out[2 * width + i] += c * x * z;
-    out[3 * width + i] += c * y * y;
-    out[4 * width + i] += c * y * z;
-    out[5 * width + i] += c * z * z;
-  }
-}
-
-// The nine entries of corner a b^T + coupling I.
-KARINUI_WIDE void rightAngle(std::size_t count, std::size_t width, const float* __restrict corner,
-                             const float* __restrict coupling, const Direction a, const Direction b,
-                             float* __restrict out) {
-  KARINUI_APART
-  for (std::size_t i = 0; i < count; ++i) {
-    const float x = corner[i] * a.x[i], y = corner[i] * a.y[i], z = corner[i] * a.z[i], k = coupling[i];
-    out[i] = x * b.x[i] + k;
-    out[width + i] = x * b.y[i];
-    out[2 * width + i] = x * b.z[i];
-    out[3 * width + i] = y * b.x[i];
-    out[4 * width + i] = y * b.y[i] + k;
-    out[5 * width + i] = y * b.z[i];
-    out[6 * width + i] = z * b.x[i];
-    out[7 * width + i] = z * b.y[i];
-    out[8 * width + i] = z * b.z[i] + k;
-  }
-}
-
-KARINUI_WIDE void addScaled(std::size_t count, float k, const float* __restrict a, float* __restrict out) {
-  for (std::size_t i = 0; i < count; ++i) out[i] += k * a[i];
-}
-
-KARINUI_WIDE void addScaled(std::size_t count, float k, const float* __restrict a, float l, const float* __restrict b,
-                            float* __restrict out) {
-  for (std::size_t i = 0; i < count; ++i) out[i] += k * a[i] + l * b[i];
-}
-
-constexpr std::size_t kDiagonal[] = {0, 3, 5};  // of the six entries of a symmetric block
-
-Block3 symmetric(const float* six, std::size_t stride) {
-  const auto at = [&](std::size_t k) { return six[k * stride]; };
-  return {at(0), at(1), at(2), at(1), at(3), at(4), at(2), at(4), at(5)};
-}
-Block3 full(const float* nine, std::size_t stride) {
-  Block3 block;
-  for (std::size_t k = 0; k < 9; ++k) block[k] = nine[k * stride];
-  return block;
-}
-Block3 transposed(const Block3& of) { return {of[0], of[3], of[6], of[1], of[4], of[7], of[2], of[5], of[8]}; }
-Block3 scalar(float k) { return {k, 0, 0, 0, k, 0, 0, 0, k}; }
 
 }  // namespace
 
-GalerkinMatrix::LineSplines::LineSplines(const CoarseLines& lines, std::uint32_t line) : cell(lines.cell[line]) {
-  const auto valueAt = [&](std::uint32_t at) {
-    Reach reach{};
-    if (at >= lines.cell.size()) return reach;  // past either end
-    for (std::size_t k = 0; k < 3; ++k) reach[lines.cell[at] + 1 + k - cell] = lines.weight[k][at];
-    return reach;
-  };
-  value = valueAt(line);
-  const Reach before = valueAt(line - 1), after = valueAt(line + 1);
-  for (std::size_t k = 0; k < kReach; ++k) {
-    step[k] = after[k] - value[k];
-    stepBack[k] = value[k] - before[k];
-    second[k] = before[k] + after[k] - 2 * value[k];
-    if (before[k] != 0 || value[k] != 0 || after[k] != 0) {
-      if (end == 0) begin = k;
-      end = k + 1;
-    }
-  }
-}
-
-GalerkinMatrix::GalerkinMatrix(const GridLayout& layout, const StepMatrix& step, const Interpolation& interpolation,
-                               std::span<const std::uint32_t> numberOf, EnvelopeCholesky& out)
-    : layout_(layout), step_(step), interpolation_(interpolation), numberOf_(numberOf), out_(out) {}
-
-// Only the lower triangle is stored.
-void GalerkinMatrix::add(std::uint32_t row, std::uint32_t column, const Block3& block, float weight) {
-  double* to[3] = {&out_.at(3 * row, 3 * column), &out_.at(3 * row + 1, 3 * column), &out_.at(3 * row + 2, 3 * column)};
-  for (std::uint32_t a = 0; a < 3; ++a)
-    for (std::uint32_t b = 0; b < (row > column ? 3 : a + 1); ++b)
-      to[a][b] += double{weight} * double{block[3 * a + b]};
-}
-
-// Splines far from each other whose entry is not stored: half of it and of its transpose falls on each of the two, so
-// that a move of both as one strains as before.
-void GalerkinMatrix::lump(std::uint32_t on, const Block3& block, float weight) {
-  add(on, on, block, 0.5f * weight);
-  add(on, on, transposed(block), 0.5f * weight);
-}
-
-void GalerkinMatrix::addEntry(std::uint32_t row, std::uint32_t column, const Block3& block, float weight) {
-  if (!out_.stores(3 * std::max(row, column), 3 * std::min(row, column)))
-    lump(row, block, weight);  // its transpose comes as the other entry
-  else if (row >= column)
-    add(row, column, block, weight);
-}
-
-void GalerkinMatrix::addPair(std::uint32_t a, std::uint32_t b, const Block3& block, float weight) {
-  addEntry(a, b, block, weight);
-  addEntry(b, a, transposed(block), weight);
-}
-
-void GalerkinMatrix::addForm(std::span<const CoarseWeight> a, std::span<const CoarseWeight> b, const Block3& block) {
-  for (const CoarseWeight& of : a)
-    for (const CoarseWeight& with : b) addPair(of.node, with.node, block, of.weight * with.weight);
-}
-
-void GalerkinMatrix::findTerms(const GridBlock& block, std::uint32_t row) {
-  const GridStiffness& k = step_.stiffness;
-  const std::size_t s = block.first + std::size_t{row} * block.stride, n = block.columns, up = block.stride;
-  for (std::size_t e = 0; e < 6; ++e) std::copy_n(step_.diagonal[e].data() + s, n, term(kNode + e));
-  std::copy_n(step_.bending.weft.data() + s, n, term(kBendWeft));
-  std::copy_n(step_.bending.warp.data() + s, n, term(kBendWarp));
-  std::copy_n(step_.bending.twist.data() + s, n, term(kTwist));
-  // Each right angle strains with both of its threads.
-  tension(n, width_, k.weftAcross.data() + s, wayAt(k.weftAlong, s), term(kWeft));
-  tension(n, width_, k.warpAcross.data() + s, wayAt(k.warpAlong, s), term(kWarp));
-  for (const std::size_t node : {s, s + 1})
-    for (const std::size_t warp : {node, node - up})
-      addShear(n, width_, k.corner.data() + node, wayAt(k.warpWay, warp), term(kWeft));
-  for (const std::size_t node : {s, s + up})
-    for (const std::size_t weft : {node, node - 1})
-      addShear(n, width_, k.corner.data() + node, wayAt(k.weftWay, weft), term(kWarp));
-  constexpr Term kAngles[] = {kForthForth, kForthBack, kBackForth, kBackBack};
-  for (std::size_t angle = 0; angle < 4; ++angle)
-    rightAngle(n, width_, k.corner.data() + s, k.coupling[angle].data() + s, wayAt(k.warpWay, angle % 2 ? s - up : s),
-               wayAt(k.weftWay, angle / 2 ? s - 1 : s), term(kAngles[angle]));
-}
-
-// The terms at nodes of a row of which a neighbour or the node itself moves by other weights than its place's: added
-// one by one, and taken out of the row.
-void GalerkinMatrix::addApart(const GridBlock& block, std::uint32_t row) {
-  const std::size_t first = block.first + std::size_t{row} * block.stride, up = block.stride;
-  std::vector<CoarseWeight> weft[2], warp[2], bend;
-  const auto combine = [&](std::vector<CoarseWeight>& to, std::initializer_list<std::pair<std::size_t, float>> slots) {
-    to.clear();
-    for (const auto& [slot, factor] : slots)
-      for (const CoarseWeight& entry : interpolation_.of(slot)) to.push_back({entry.node, factor * entry.weight});
-  };
-  for (std::size_t i = 0; i < block.columns; ++i) {
-    const std::size_t s = first + i;
-    const auto apart = [&](std::size_t slot) { return interpolation_.apart[slot] != 0; };
-    if (!apart(s) && !apart(s - 1) && !apart(s + 1) && !apart(s - up) && !apart(s + up) && !apart(s + up + 1)) continue;
-    combine(weft[0], {{s, -1.0f}, {s + 1, 1.0f}});
-    combine(weft[1], {{s - 1, -1.0f}, {s, 1.0f}});
-    combine(warp[0], {{s, -1.0f}, {s + up, 1.0f}});
-    combine(warp[1], {{s - up, -1.0f}, {s, 1.0f}});
-    const auto half = [](Block3 of) {  // of a form on its own both orders are added
-      for (float& value : of) value *= 0.5f;
-      return of;
-    };
-    const std::span<const CoarseWeight> own = interpolation_.of(s);
-    addForm(own, own, half(symmetric(term(kNode) + i, width_)));
-    addForm(weft[0], weft[0], half(symmetric(term(kWeft) + i, width_)));
-    addForm(warp[0], warp[0], half(symmetric(term(kWarp) + i, width_)));
-    addForm(weft[0], warp[0], full(term(kForthForth) + i, width_));
-    addForm(weft[0], warp[1], full(term(kForthBack) + i, width_));
-    addForm(weft[1], warp[0], full(term(kBackForth) + i, width_));
-    addForm(weft[1], warp[1], full(term(kBackBack) + i, width_));
-    combine(bend, {{s - 1, 1.0f}, {s, -2.0f}, {s + 1, 1.0f}});
-    addForm(bend, bend, scalar(0.5f * term(kBendWeft)[i]));
-    combine(bend, {{s - up, 1.0f}, {s, -2.0f}, {s + up, 1.0f}});
-    addForm(bend, bend, scalar(0.5f * term(kBendWarp)[i]));
-    combine(bend, {{s, 1.0f}, {s + 1, -1.0f}, {s + up, -1.0f}, {s + up + 1, 1.0f}});
-    addForm(bend, bend, scalar(0.5f * term(kTwist)[i]));
-    for (std::size_t k = 0; k < kTerms; ++k) term(k)[i] = 0;
-  }
-}
-
-float* GalerkinMatrix::beginSums(std::size_t b, std::size_t c) {
-  float* to = sums(b, c);
-  if (!used_[kReach * b + c]) std::fill_n(to, kSums * width_, 0.0f);
-  used_[kReach * b + c] = 1;
-  return to;
-}
-
-void GalerkinMatrix::sumRow(std::size_t n, const LineSplines& row) {
-  for (std::size_t b = row.begin; b < row.end; ++b)
-    for (std::size_t c = row.begin; c < row.end; ++c) {
-      float* to = beginSums(b, c);
-      const float values = row.value[b] * row.value[c], steps = row.step[b] * row.step[c],
-                  seconds = row.second[b] * row.second[c], step = row.value[b] * row.step[c],
-                  stepBack = row.value[b] * row.stepBack[c];
-      for (std::size_t e = 0; e < 9; ++e) {
-        addScaled(n, step, term(kForthForth + e), stepBack, term(kForthBack + e), to + (kForth + e) * width_);
-        addScaled(n, step, term(kBackForth + e), stepBack, term(kBackBack + e), to + (kBack + e) * width_);
-      }
-      if (b > c) continue;  // those on their own are symmetric
-      for (std::size_t e = 0; e < 6; ++e) {
-        addScaled(n, values, term(kNode + e), steps, term(kWarp + e), to + (kValues + e) * width_);
-        addScaled(n, values, term(kWeft + e), to + (kSteps + e) * width_);
-      }
-      for (const std::size_t e : kDiagonal) {
-        addScaled(n, seconds, term(kBendWarp), to + (kValues + e) * width_);
-        addScaled(n, steps, term(kTwist), to + (kSteps + e) * width_);
-      }
-      addScaled(n, values, term(kBendWeft), to + kSeconds * width_);
-    }
-}
-
-// Sums what the rows of a coarse cell have left with the splines of their columns, coarse cell by coarse cell.
-void GalerkinMatrix::addSums(const CoarseGrid& grid, std::uint32_t cell, std::span<const LineSplines> columns) {
-  for (std::size_t b = 0; b < kReach; ++b)
-    for (std::size_t c = 0; c < kReach; ++c) {
-      if (!used_[kReach * b + c]) continue;
-      const float* from = sums(b, c);
-      const bool symmetric = b <= c;
-      for (std::size_t i = 0; i < columns.size();) {
-        const std::uint32_t at = columns[i].cell;
-        float own[kReach][kReach][6] = {}, crossed[kReach][kReach][9] = {};
-        for (; i < columns.size() && columns[i].cell == at; ++i) {
-          const LineSplines& column = columns[i];
-          for (std::size_t u = column.begin; u < column.end; ++u)
-            for (std::size_t v = column.begin; v < column.end; ++v) {
-              const float step = column.step[u] * column.value[v], stepBack = column.stepBack[u] * column.value[v];
-              for (std::size_t e = 0; e < 9; ++e)
-                crossed[u][v][e] += step * from[(kForth + e) * width_ + i] + stepBack * from[(kBack + e) * width_ + i];
-              if (!symmetric) continue;
-              const float values = column.value[u] * column.value[v], steps = column.step[u] * column.step[v],
-                          seconds = column.second[u] * column.second[v] * from[kSeconds * width_ + i];
-              for (std::size_t e = 0; e < 6; ++e)
-                own[u][v][e] += values * from[(kValues + e) * width_ + i] + steps * from[(kSteps + e) * width_ + i];
-              for (const std::size_t e : kDiagonal) own[u][v][e] += seconds;
-            }
-        }
-        const auto numberAt = [&](std::size_t row, std::size_t column) {
-          return numberOf_[grid.first + (cell + row - 1) * grid.columns() + at + column - 1];
-        };
-        for (std::size_t u = 0; u < kReach; ++u)
-          for (std::size_t v = 0; v < kReach; ++v) {
-            Block3 block = karinui::symmetric(own[u][v], 1);
-            for (float& value : block) value *= b == c ? 0.5f : 1.0f;  // of a row on its own both orders are added
-            for (std::size_t e = 0; e < 9; ++e) block[e] += crossed[u][v][e];
-            if (std::all_of(block.begin(), block.end(), [](float value) { return value == 0; })) continue;
-            const std::uint32_t one = numberAt(b, u), other = numberAt(c, v);
-            if (one != kNoNode && other != kNoNode) addPair(one, other, block, 1);
-          }
-      }
-    }
-}
-
-void GalerkinMatrix::addBlock(const CoarseGrid& grid) {
-  const GridBlock& block = *grid.block;
-  width_ = block.stride;
-  terms_.resize(std::max(terms_.size(), kTerms * width_));
-  sums_.resize(std::max(sums_.size(), kReach * kReach * kSums * width_));
-  std::vector<LineSplines> columns;
-  for (std::uint32_t i = 0; i < block.columns; ++i) columns.emplace_back(grid.column, i);
-  const auto begin = interpolation_.apart.begin() + block.first;
-  const bool apart = std::any_of(begin, begin + block.rows * block.stride, [](std::uint8_t is) { return is != 0; });
-  used_ = {};
-  for (std::uint32_t row = 0; row < block.rows; ++row) {
-    const LineSplines splines(grid.row, row);
-    findTerms(block, row);
-    if (apart) addApart(block, row);
-    sumRow(block.columns, splines);
-    if (row + 1 < block.rows && grid.row.cell[row + 1] == splines.cell) continue;
-    addSums(grid, splines.cell, columns);
-    used_ = {};
-  }
-}
-
-// Row by row (A P) and then P^T (A P).
-void GalerkinMatrix::addRest() {
-  std::vector<Block3> product(numberOf_.size(), Block3{});  // of a row, per number
-  std::vector<std::uint32_t> in;                            // the numbers that have some
-  std::vector<std::uint8_t> is(numberOf_.size(), 0);
-  const auto multiply = [&](std::size_t column, const Block3& block) {
-    for (const CoarseWeight& entry : interpolation_.of(column)) {
-      if (!is[entry.node]) in.push_back(entry.node);
-      is[entry.node] = 1;
-      for (std::size_t e = 0; e < 9; ++e) product[entry.node][e] += entry.weight * block[e];
-    }
-  };
-  for (const SlotRange& range : layout_.ranges)
-    for (std::size_t slot = range.begin; slot < range.end; ++slot) {
-      const std::span<const CoarseWeight> own = interpolation_.of(slot);
-      if (own.empty()) continue;
-      step_.sparse.forRow(slot, multiply);
-      if (range.unstructured()) {
-        const DiagonalBlocks& d = step_.diagonal;
-        multiply(slot, {d[0][slot], d[1][slot], d[2][slot], d[1][slot], d[3][slot], d[4][slot], d[2][slot], d[4][slot],
-                        d[5][slot]});
-      }
-      for (const std::uint32_t number : in) {
-        for (const CoarseWeight& entry : own) addEntry(entry.node, number, product[number], entry.weight);
-        product[number] = {};
-        is[number] = 0;
-      }
-      in.clear();
-    }
+void GalerkinMatrix::assemble(const GalerkinSource& of, std::span<const CoarseGrid> grids, std::size_t numbers,
+                              EnvelopeCholesky& out, Workers& workers) {
+  const std::vector<Part> parts = partsOf(of.layout, grids);
+  const bool alone = workers.threads() == 1;
+  if (!alone && lists_.size() < parts.size() * kLists) lists_.resize(parts.size() * kLists);
+  workers.forBlocks(parts.size(), 1, [&](std::size_t k, std::size_t) {
+    const std::span lists =
+        alone ? std::span<std::vector<GalerkinEntry>>() : std::span(lists_).subspan(k * kLists, kLists);
+    for (auto& list : lists) list.clear();
+    GalerkinPart part(of, {out, lists, numbers});
+    if (parts[k].grid)
+      part.addCell(*parts[k].grid, parts[k].row, parts[k].rows);
+    else
+      part.addRest(*parts[k].range);
+  });
+  if (alone) return;
+  workers.forBlocks(kLists, 1, [&](std::size_t list, std::size_t) {
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      for (const GalerkinEntry& entry : lists_[k * kLists + list])
+        addTo(out, entry.row, entry.column, entry.weight, entry.block);
+  });
 }
 
 }  // namespace karinui

@@ -1,98 +1,22 @@
 #pragma once
-// Assembles the Galerkin matrix A_c = P^T A P of a coarse space from the terms that the step's matrix A is made of.
+// Assembles the Galerkin matrix A_c = P^T A P of a coarse space from the terms that the step's matrix A is made of
+// (galerkin_part.h), by several threads.
 //
-// In a grid block P is a spline along the row times one along the column. So the terms on a coarse cell's fine rows are
-// first summed with the splines of the rows, in wide loops over the columns, and the few sums that are left with those
-// of the columns: the work of some ten products with A. What has no such order (the ring, seams, held nodes) goes entry
-// by entry.
-#include <array>
-#include <span>
-#include <vector>
-
-#include "cloth/coarse_grid.h"
-#include "cloth/envelope_cholesky.h"
-#include "cloth/sparse_rows.h"
+// Each thread collects the entries of a part in lists by their rows of A_c; then each adds the lists of some rows, part
+// after part. So every entry of A_c is added up in the order in which one thread does it, and has its bits.
+#include "cloth/galerkin_part.h"
+#include "karinui/base/workers.h"
 
 namespace karinui {
 
-// The step's matrix, without contact. The arrays are over slots.
-struct StepMatrix {
-  const GridStiffness& stiffness;
-  const GridBending& bending;
-  const DiagonalBlocks& diagonal;  // without that of stiffness and bending
-  const SparseRows& sparse;
-};
-
-// P: what each slot moves with, as numbers of rows of A_c.
-struct Interpolation {
-  std::vector<std::uint32_t> start;   // per slot, and one past the last
-  std::vector<CoarseWeight> entries;  // their nodes are numbers in A_c
-  std::vector<std::uint8_t> apart;    // per slot of a grid block: whether it does not move by the splines of its place
-  std::span<const CoarseWeight> of(std::size_t slot) const {
-    return std::span(entries).subspan(start[slot], start[slot + 1] - start[slot]);
-  }
-};
-
 class GalerkinMatrix {
  public:
-  // `numberOf`: of each coarse node its number in A_c, kNoNode where it is left out. `out`: three rows and columns for
-  // each number, to be added to. All must outlive this.
-  GalerkinMatrix(const GridLayout& layout, const StepMatrix& step, const Interpolation& interpolation,
-                 std::span<const std::uint32_t> numberOf, EnvelopeCholesky& out);
-
-  void addBlock(const CoarseGrid& grid);  // one that has a block: all but its rows in `step.sparse`
-  void addRest();                         // those rows, and what lies in no block
+  // `out`: three rows and columns for each of `numbers`, to be added to.
+  void assemble(const GalerkinSource& of, std::span<const CoarseGrid> grids, std::size_t numbers, EnvelopeCholesky& out,
+                Workers& workers);
 
  private:
-  // Coarse lines that the terms on a fine line depend on: those of its cell, of the one before and of the one after.
-  static constexpr std::size_t kReach = 5;
-  using Reach = std::array<float, kReach>;
-  struct LineSplines {  // at a fine line, from the coarse line before its cell's first on
-    std::uint32_t cell = 0;
-    Reach value{}, step{}, stepBack{}, second{};  // `step`: from this line to the next; `stepBack`: from the last one
-    std::size_t begin = 0, end = 0;               // which of these are not nothing
-    LineSplines(const CoarseLines& lines, std::uint32_t line);
-  };
-  // Terms at a node of a block: of the node itself; of the threads from it along weft and warp; of the weft thread
-  // forth and back from it with the warp thread forth and back.
-  enum Term : std::size_t {
-    kNode = 0,
-    kWeft = 6,
-    kWarp = 12,
-    kForthForth = 18,
-    kForthBack = 27,
-    kBackForth = 36,
-    kBackBack = 45,
-    kBendWeft = 54,
-    kBendWarp,
-    kTwist,
-    kTerms
-  };
-  // Their sums over rows: on values along the row, on steps and on second differences, and on steps forth and back with
-  // values.
-  enum Sum : std::size_t { kValues = 0, kSteps = 6, kSeconds = 12, kForth = 13, kBack = 22, kSums = 31 };
-
-  void findTerms(const GridBlock& block, std::uint32_t row);
-  void addApart(const GridBlock& block, std::uint32_t row);
-  void sumRow(std::size_t count, const LineSplines& row);
-  void addSums(const CoarseGrid& grid, std::uint32_t cell, std::span<const LineSplines> columns);
-  float* sums(std::size_t b, std::size_t c) { return sums_.data() + (kReach * b + c) * kSums * width_; }
-  float* beginSums(std::size_t b, std::size_t c);
-  float* term(std::size_t k) { return terms_.data() + k * width_; }
-  void addForm(std::span<const CoarseWeight> a, std::span<const CoarseWeight> b, const Block3& block);
-  void addPair(std::uint32_t a, std::uint32_t b, const Block3& block, float weight);  // an entry and its transpose
-  void addEntry(std::uint32_t row, std::uint32_t column, const Block3& block, float weight);
-  void add(std::uint32_t row, std::uint32_t column, const Block3& block, float weight);
-  void lump(std::uint32_t on, const Block3& block, float weight);
-
-  const GridLayout& layout_;
-  const StepMatrix& step_;
-  const Interpolation& interpolation_;
-  std::span<const std::uint32_t> numberOf_;
-  EnvelopeCholesky& out_;
-  std::size_t width_ = 0;  // of a row of the block
-  std::vector<float> terms_, sums_;
-  std::array<std::uint8_t, kReach * kReach> used_{};  // pairs of coarse rows whose sums are begun
+  std::vector<std::vector<GalerkinEntry>> lists_;  // of each part as many; kept for their memory
 };
 
 }  // namespace karinui

@@ -225,7 +225,7 @@ TEST(CoarseSpace, MatrixIsTheProductBetweenInterpolationAndRestriction) {
   mass[0] = mass[4] = mass[8] = 0.1f;
   for (std::uint32_t u = 0; u < of.system->unknowns(); ++u) of.system->addDiagonal(u, mass);
   CoarseSpace& coarse = of.system->coarseSpace();
-  ASSERT_TRUE(coarse.assemble(of.system->stepMatrix()));
+  ASSERT_TRUE(coarse.assemble(of.system->stepMatrix(), of.workers));
 
   // The projection of a rough move: its energy in A_c and in A.
   std::vector<Vec3> rough(of.system->unknowns()), projected(rough.size());
@@ -251,13 +251,20 @@ TEST(CoarseSpace, MatrixIsTheProductBetweenInterpolationAndRestriction) {
   double expected = 0;
   for (std::size_t u = 0; u < felt.size(); ++u) expected += dot(felt[u], projected[u]);
   EXPECT_NEAR(energy / expected, 1, 3e-6);
+
+  // Put together by several threads it has the same bits.
+  Workers three(3);
+  ASSERT_TRUE(coarse.assemble(of.system->stepMatrix(), three));
+  for (const SlotRange& range : of.layout.ranges) coarse.restrictResidual(range, r);
+  EXPECT_EQ(coarse.coarseSolve(), energy);
 }
 
 TEST(EnvelopeCholesky, TakesAMatrixThatIsNotPositiveOnlyWithAShift) {
   EnvelopeCholesky matrix({0, 0});  // both rows alike
   matrix.at(0, 0) = matrix.at(1, 0) = matrix.at(1, 1) = 1;
-  EXPECT_FALSE(matrix.factor());
-  ASSERT_TRUE(matrix.factor(0.01));
+  Workers workers;
+  EXPECT_FALSE(matrix.factor(workers));
+  ASSERT_TRUE(matrix.factor(workers, 0.01));
   std::vector<float> x{1, 1};
   matrix.solve(x);
   EXPECT_NEAR(x[0], 1 / 2.01, 1e-5);
