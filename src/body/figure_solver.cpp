@@ -16,12 +16,8 @@ constexpr double kImpliedWeight = 0.33;  // of a target that was not stated
 constexpr double kDifference = 0.6;      // units, by which the Jacobian is measured
 constexpr double kNoise = 0.05;          // units: a shorter step is within the noise of measuring on another grid
 
-// Where a measurement depends on another's parameter, too, or not one to one: tolerances per unit, as measured on a
-// woman of size 38 and a man of size 50. A start; Broyden's updates bring it to what holds for this body.
-struct Derivative {
-  std::string_view parameter, key;
-  double value;
-};
+// As measured on a woman of size 38 and a man of size 50. A start; Broyden's updates bring it to what holds for this
+// body.
 constexpr Derivative kInitialJacobian[] = {
     {"armpit_height", "armpit_height", 0.7},    {"bust_height", "under_bust_girth", 3.3},
     {"bust_height", "armpit_height", 0.5},      {"bust_girth", "arm_joint_length", -0.6},
@@ -70,7 +66,9 @@ double worstResidual(const std::vector<Target>& targets, const Anthropometry& me
   return worst;
 }
 
-FigureSolver::FigureSolver(std::vector<Target> targets) : targets_(std::move(targets)) {
+FigureSolver::FigureSolver(std::vector<Target> targets, std::span<const Derivative> free)
+    : targets_(std::move(targets)) {
+  for (const Derivative& its : free) parameter_.emplace_back(its.parameter);
   for (const Target& target : targets_)
     if (const std::string parameter = parameterOf(target.key);
         !parameter.empty() && std::find(parameter_.begin(), parameter_.end(), parameter) == parameter_.end())
@@ -84,6 +82,8 @@ FigureSolver::FigureSolver(std::vector<Target> targets) : targets_(std::move(tar
     for (std::size_t k = 0; k < parameter_.size(); ++k) {
       if (parameter_[k] == parameterOf(targets_[i].key))
         jacobian_[i][k] = unit_[k] * (isGirth(targets_[i].key) ? targets_[i].value : 1) / tolerance(targets_[i].key);
+      for (const Derivative& its : free)
+        if (its.parameter == parameter_[k] && its.key == targets_[i].key) jacobian_[i][k] = its.value;
       for (const Derivative& known : kInitialJacobian)
         if (known.parameter == parameter_[k] && known.key == targets_[i].key) jacobian_[i][k] = known.value;
       jacobian_[i][k] *= weightOf(targets_[i]);
@@ -152,6 +152,14 @@ bool FigureSolver::differenceJacobian(const Evaluate& evaluate, const std::vecto
     for (std::size_t i = 0; i < targets_.size(); ++i) jacobian_[i][k] = (now[i] - residual[i]) / kDifference;
   }
   return true;
+}
+
+void FigureSolver::startAt(const Alteration& alteration) {
+  for (std::size_t k = 0; k < parameter_.size(); ++k) {
+    const auto it = alteration.find(parameter_[k]);
+    at_[k] = it == alteration.end() ? 0 : it->second / unit_[k];
+  }
+  best_ = alterationAt(at_);
 }
 
 double FigureSolver::solve(const Evaluate& evaluate, int rounds, double enough, int differences) {

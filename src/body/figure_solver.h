@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "body/alteration.h"
@@ -33,12 +34,19 @@ std::vector<Residual> residuals(const std::vector<Target>& targets, const Anthro
 // The largest weighted |got - wanted| / tolerance.
 double worstResidual(const std::vector<Target>& targets, const Anthropometry& measured, bool statedOnly);
 
+// Where a measurement depends on another's parameter, too, or not one to one: tolerances per unit.
+struct Derivative {
+  std::string_view parameter, key;
+  double value;
+};
+
 class FigureSolver {
  public:
   // Makes the figure altered in each of these ways and measures it; nothing where no body can be measured. Each by
   // itself: in which order, or on how many threads, is all one.
   using Evaluate = std::function<std::vector<std::optional<Anthropometry>>(std::span<const Alteration>)>;
-  explicit FigureSolver(std::vector<Target> targets);
+  // `free`: parameters of measurements that are no targets.
+  explicit FigureSolver(std::vector<Target> targets, std::span<const Derivative> free = {});
 
   const std::vector<Target>& targets() const { return targets_; }
   // At most `rounds` steps; stops as soon as the worst residual is below `enough`. `differences`: how often the
@@ -46,6 +54,8 @@ class FigureSolver {
   // keeps the best alteration. May be called again, to go on from there.
   double solve(const Evaluate& evaluate, int rounds, double enough, int differences);
   const Alteration& alteration() const { return best_; }
+  // Goes on from there. What has no parameter is left out.
+  void startAt(const Alteration& alteration);
 
   // Of the stated measurements the one that stands most in the way of `missed`, by the Jacobian; empty if none.
   std::string conflictsWith(const std::string& missed) const;

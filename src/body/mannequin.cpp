@@ -24,7 +24,11 @@ constexpr int kCoarseRounds = 30, kFineRounds = 10;
 constexpr double kNear = 0.6, kGood = 0.4;  // worst residuals, in tolerances, at which the solver may stop
 constexpr double kHopeless = 6;             // and at which a finer grid, which moves the tape by 1 or 2, cannot help
 constexpr std::string_view kOffForm[] = {"crotch", "elbow", "wrist", "knee", "ankle"};  // landmarks a dress form lacks
-constexpr int kMostMissed = 2;  // grids on which what was stated may not be met
+constexpr double kClearOfTrunk = 0.08;  // metres that shoulders are wider at first, for a stout figure's arms
+constexpr double kBelly = 0.1;          // the logarithm of what a belly's girth is scaled by at first
+constexpr Derivative kBellysWaist[] = {{"belly_girth", "waist_girth", 7.0}};
+constexpr double kMostUnlike = 12;  // standard deviations from the mean of the described figures
+constexpr int kMostMissed = 2;    // grids on which what was stated may not be met
 constexpr double kShifts[] = {0, 0.31, 0.57, 0.13, 0.77, 0.43};
 
 // Feet on the floor and exactly as tall as asked for: the polygonised height is off by about a thousandth.
@@ -169,8 +173,19 @@ Error unmetSaid(const Unmet& unmet, std::optional<double> limit) {
                            unmet.other, had, nearest));
 }
 
-Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& token, MannequinEnds ends,
-                     Unmet& unmet) {
+// What a mannequin is made with, and where the solver starts from the drawn figure.
+struct Making {
+  Workers& workers;
+  const Token& token;
+  MannequinEnds ends = MannequinEnds::Modelled;
+  double wider = 0;    // metres, of the shoulders
+  bool belly = false;  // whether the waist may be that of a belly
+};
+
+Result<BodyPtr> made(const Measurements& wanted, const Making& making, Unmet& unmet) {
+  Workers& workers = making.workers;
+  const Token& token = making.token;
+  const MannequinEnds ends = making.ends;
   if (const Done ok = plausible(wanted); !ok) return ok.error();
   const auto keys = mannequinKeys();
   for (const auto& [key, value] : wanted.value) {
@@ -180,7 +195,7 @@ Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& 
   const SectionModel model = SectionModel::of(wanted.sex);
   const Measurements complete = model.completed(wanted);
   if (const Done ok = plausible(complete); !ok) return ok.error();
-  if (model.distance(complete) > 9)
+  if (model.distance(complete) > kMostUnlike)
     return refused(say(
         "These girths do not belong to one body: bust {0}, waist {1}, hip {2} at a height of {3}. Check the numbers.",
         measureSaid("bust_girth", complete.value.at("bust_girth")),
@@ -188,7 +203,16 @@ Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& 
         measureSaid("hip_girth", complete.value.at("hip_girth")), measureSaid("height", complete.value.at("height"))));
   const double height = complete.value.at("height");
   const Figure drawn = model.draw(complete);
-  FigureSolver solver(targetsFor(wanted, complete, model, drawn.at));
+  std::vector<Target> targets = targetsFor(wanted, complete, model, drawn.at);
+  std::span<const Derivative> free;
+  Alteration start{{"shoulder_width", making.wider}};
+  if (making.belly) {  // where it is, is where the waist is
+    std::erase_if(targets, [](const Target& target) { return target.key == "waist_height" && !target.stated; });
+    free = kBellysWaist;
+    start["belly_girth"] = kBelly;
+  }
+  FigureSolver solver(std::move(targets), free);
+  solver.startAt(start);
 
   Drawn now;  // the figure made last
   double cell = kCoarse, shift = 0;
@@ -286,31 +310,29 @@ Result<BodyPtr> made(const Measurements& wanted, Workers& workers, const Token& 
 }
 
 // The stated girth without which the others can be met: what the solver's slopes do not tell where it stopped far off.
-std::string inTheWay(const Measurements& wanted, const Unmet& unmet, Workers& workers, const Token& token,
-                     MannequinEnds ends) {
+std::string inTheWay(const Measurements& wanted, const Unmet& unmet, const Making& by) {
   Unmet ignored;
   for (const char* key : {"waist_girth", "hip_girth", "belly_girth", "under_bust_girth", "bust_girth"}) {
     Measurements others = wanted;
-    if (key == unmet.key || others.value.erase(key) == 0 || token.cancelled()) continue;
-    if (made(others, workers, token, ends, ignored)) return key;
+    if (key == unmet.key || others.value.erase(key) == 0 || by.token.cancelled()) continue;
+    if (made(others, by, ignored)) return key;
   }
   return {};
 }
 
 // Where the solver stops is no limit yet: what is told as one has been made. Tried are that place, what follows
 // without the measure, and the middle between.
-std::optional<double> nearestMade(Measurements wanted, const Unmet& unmet, Workers& workers, const Token& token,
-                                  MannequinEnds ends) {
+std::optional<double> nearestMade(Measurements wanted, const Unmet& unmet, const Making& by) {
   Unmet ignored;
   const auto canBe = [&](double value) {
     constexpr double kStep = 1e-3;  // metres: as it is told
     value = wanted.value[unmet.key] = std::round(value / kStep) * kStep;
-    return !token.cancelled() && made(wanted, workers, token, ends, ignored) ? std::optional(value) : std::nullopt;
+    return !by.token.cancelled() && made(wanted, by, ignored) ? std::optional(value) : std::nullopt;
   };
   if (unmet.got > 0)
     if (const auto here = canBe(unmet.got)) return here;
   wanted.value.erase(unmet.key);
-  const auto without = made(wanted, workers, token, ends, ignored);
+  const auto without = made(wanted, by, ignored);
   if (!without || !(*without)->measured().value.contains(unmet.key)) return std::nullopt;
   const double free = (*without)->measured().value.at(unmet.key);
   if (unmet.got > 0)
@@ -321,14 +343,25 @@ std::optional<double> nearestMade(Measurements wanted, const Unmet& unmet, Worke
 }  // namespace
 
 Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, const Token& token, MannequinEnds ends) {
+  const Making by{workers, token, ends};
   Unmet unmet;
-  auto body = made(wanted, workers, token, ends, unmet);
+  auto body = made(wanted, by, unmet);
   if (body || unmet.key.empty()) return body;
-  if (unmet.other.empty() && !token.cancelled()) {
-    unmet.other = inTheWay(wanted, unmet, workers, token, ends);
+  // The arms of a stout figure, as it is drawn, lie in its trunk, where no tape goes round them. And whose waist is as
+  // wide as the hip has a belly there.
+  const bool belly = wanted.value.contains("waist_girth") && !wanted.value.contains("belly_girth");
+  for (const bool has : {true, false})
+    for (const double wider : {0.0, kClearOfTrunk}) {
+      if (has ? !belly : wider == 0) continue;
+      Unmet ignored;
+      if (auto other = made(wanted, {workers, token, ends, wider, has}, ignored); other || token.cancelled())
+        return other;
+    }
+  if (unmet.other.empty()) {
+    unmet.other = inTheWay(wanted, unmet, by);
     if (!unmet.other.empty()) unmet.otherWanted = wanted.value.at(unmet.other);
   }
-  const auto limit = nearestMade(wanted, unmet, workers, token, ends);
+  const auto limit = nearestMade(wanted, unmet, by);
   if (token.cancelled()) return cancelled();
   return unmetSaid(unmet, limit);
 }
