@@ -299,7 +299,7 @@ std::optional<Cascade::GivenUp> Cascade::hopeless(const Level& level, const Casc
   const Cloth& cloth = level.cloth;
   if (const double gap = widestGap(cloth, positions); start.sewing == CascadeStart::Sewing::FreeAfterAll && !sewn_ &&
                                                       gap > kNeverCloses && strainOf(cloth, positions).max > kSnagged)
-    return GivenUp{openSeam(cloth, positions, gap), false};
+    return GivenUp{openSeam(cloth, positions, gap, colliders_), false};
   if (end.settled || start.formed) return std::nullopt;
   if (const Penetration most = deepestPenetration(cloth, colliders_, positions, workers_); most.depth > kGrownThrough)
     return GivenUp{throughBody(most), true};

@@ -15,7 +15,17 @@ namespace {
 constexpr double kCaught = 1;        // strain of a thread: no fabric is stretched so far in wear
 constexpr int kStepsAfterEdit = 60;  // in which cloth that rested before comes to rest again, mostly
 
-Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
+// Whether the straight way from one place to another goes through a collider.
+bool within(const ColliderList& colliders, Vec3 from, Vec3 way) {
+  constexpr int kLooks = 16;
+  constexpr double kDeep = 0.003;  // metres
+  for (const ColliderList::Entry& entry : colliders)
+    for (int k = 1; k < kLooks; ++k)
+      if (entry.collider->sample(from + way * (static_cast<double>(k) / kLooks)).distance < -kDeep) return true;
+  return false;
+}
+
+Message whyOf(const StageResult& end, const LevelSolver& solver, double gap, const ColliderList& colliders) {
   const DrawnOut most = mostDrawnOut(solver.cloth(), solver.positions());
   if (end.settled)
     return most.times > 1 + kCaught
@@ -30,7 +40,7 @@ Message whyOf(const StageResult& end, const LevelSolver& solver, double gap) {
         end.steps, most.piece->name, fixed(most.times, 0));
   if (end.falls)
     return say("Nothing holds the cloth: it slides off and falls. Sew it closed, pin it, or place it on the body.");
-  if (!solver.allTied()) return openSeam(solver.cloth(), solver.positions(), gap);
+  if (!solver.allTied()) return openSeam(solver.cloth(), solver.positions(), gap, colliders);
   return say("Not at rest after {0} {0|step|steps}: it would still move {1} mm.", end.steps, fixed(end.left * 1000, 2));
 }
 
@@ -42,11 +52,24 @@ std::optional<Message> adviceOn(const SettleReport& report) {
   return std::nullopt;
 }
 
-Message openSeam(const Cloth& cloth, std::span<const Vec3> position, double gap) {
+Message openSeam(const Cloth& cloth, std::span<const Vec3> position, double gap, const ColliderList& colliders) {
   const auto widest = std::max_element(cloth.ties.begin(), cloth.ties.end(), [&](const Tie& one, const Tie& other) {
     return squaredLength(gapOf(one, position)) < squaredLength(gapOf(other, position));
   });
   const std::string a = pieceOf(cloth, widest->a).name, b = pieceOf(cloth, widest->b).name;
+  const Vec3 way = gapOf(*widest, position);
+  if (within(colliders, position[widest->a], way)) {
+    const double high = std::round((position[widest->a] + way * 0.5).y * 100);
+    return a == b
+               ? say("A seam within “{0}” stays open by {1} mm about {2} cm above the floor: the body is between its "
+                     "sides. Leave it open where the neck, an arm or a leg has to come out, or place “{0}” so that "
+                     "the sides meet beside the body.",
+                     a, fixed(gap * 1000, 1), high)
+               : say("A seam of “{0}” and “{1}” stays open by {2} mm about {3} cm above the floor: the body is "
+                     "between them. Leave it open where the neck, an arm or a leg has to come out, or place the "
+                     "pieces so that they meet beside the body.",
+                     a, b, fixed(gap * 1000, 1), high);
+  }
   return a == b ? say("A seam within “{0}” stays open by {1} mm; bring its sides nearer or look whether something is "
                       "between them.",
                       a, fixed(gap * 1000, 1))
@@ -107,7 +130,7 @@ std::vector<Vec3> finish(LevelSolver& solver, const ColliderList& colliders, con
   report.residual = end.residual;
   report.step = end.left;
   report.seamGap = widestGap(solver.cloth(), x);
-  report.why = whyOf(end, solver, report.seamGap);
+  report.why = whyOf(end, solver, report.seamGap, colliders);
   if (intersections > 0 && !end.torn)
     report.why =
         say("Cloth stands through cloth at {0} {0|place|places}; give it more room, or fewer folds.", intersections);

@@ -19,8 +19,8 @@ class ResourceUse {  // time since it was made and memory, for the report alone
   std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
 };
 
-// What is said of the widest seam, `gap` metres open.
-Message openSeam(const Cloth& cloth, std::span<const Vec3> position, double gap);
+// What is said of the widest seam, `gap` metres open, and of a body that is between its sides.
+Message openSeam(const Cloth& cloth, std::span<const Vec3> position, double gap, const ColliderList& colliders);
 Message throughBody(const Penetration& most);
 Error tornApart();
 void addContactTimes(SettleReport& report, const LevelSolver& solver);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "cloth/finish.h"
 #include "cloth/helpers.h"
 #include "karinui/base/hash.h"
 #include "karinui/check/check.h"
@@ -440,6 +441,25 @@ TEST(Settle, WhatNeverClosesIsGivenUpOnACoarseLevel) {
   EXPECT_EQ(report.fineSteps, 0u);
   EXPECT_GT(report.seamGap, 0.1);
   EXPECT_NE(text(report.why).find("stays open by"), std::string::npos) << text(report.why);
+}
+
+// What keeps a seam open is told where it is the body.
+TEST(Settle, ABodyBetweenTheSidesOfASeamIsNamed) {
+  Cloth cloth;
+  for (const char* name : {"front", "back"}) {
+    addPiece(cloth, gridLattice(2, 2, 0.01), *preset("cotton"));
+    cloth.pieces.back().name = name;
+  }
+  cloth.seams.push_back(SeamId{1});
+  cloth.ties.push_back({0, cloth.pieces[1].firstNode, kNoNode, 0});
+  const ClothState stands = standingBy(cloth, [](std::size_t piece, Flat p) {
+    return Vec3{p.u, 1.4 + p.v, piece == 0 ? 0.07 : -0.07};
+  });
+  const auto said = [&](const Collider& body) { return text(openSeam(cloth, stands.position, 0.14, body)); };
+  EXPECT_THAT(said(CapsuleBody({{{0, 1.4, 0}, {0, 1.5, 0}, 0.05}})),
+              testing::AllOf(testing::HasSubstr("“front” and “back” stays open by 140.0 mm about 140 cm above"),
+                             testing::HasSubstr("the body is between them")));
+  EXPECT_THAT(said(CapsuleBody({{{1, 1.4, 0}, {1, 1.5, 0}, 0.05}})), testing::HasSubstr("bring the pieces nearer"));
 }
 
 // No residual is small enough here, as where a node trembles in a sharp fold: the cloth rests once it goes nowhere, and
