@@ -276,6 +276,21 @@ TEST_F(Placed, AConeThatIsTooTightSaysThatEaseIsInTheWay) {
   };
   EXPECT_NE(placed("3cm").find("less ease"), std::string::npos) << placed("3cm");
   EXPECT_EQ(placed("2mm"), "");
+  // So much longer as it says it stands there, and 2 mm less is still refused.
+  const auto longer = [&](double mm) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(
+        file, "body sex=child set=\"height=120cm\"\nring name=cape inner=\"neck_base_girth/2 + " + std::to_string(mm) +
+                  "mm\" angle=130deg depth=45cm\nplace piece=cape at=torso:neck_base@0.25 ease=2cm\n");
+    return done ? std::string() : text(done.error().what);
+  };
+  const std::string refused = longer(0);
+  const std::size_t at = refused.find(" mm too short");
+  ASSERT_NE(at, std::string::npos) << refused;
+  const double missing = std::stod(refused.substr(refused.rfind(' ', at - 1)));
+  EXPECT_GT(missing, 5);
+  EXPECT_EQ(longer(missing), "");
+  EXPECT_NE(longer(missing - 2), "");
 }
 
 // A block that is worn over another garment stands off its cloth.

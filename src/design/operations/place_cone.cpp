@@ -10,10 +10,11 @@ namespace karinui {
 
 namespace {
 
-constexpr double kRound = 2e-4;    // metres an inner edge may depart from its circle, a side from its ray
-constexpr double kApart = 0.01;    // radians left between the two sides of a ring that goes all round
-constexpr double kAbove = 0.01;    // metres: skin this far above the inner edge counts as well
-constexpr double kFurthest = 1.5;  // metres a cone may stand off
+constexpr double kRound = 2e-4;     // metres an inner edge may depart from its circle, a side from its ray
+constexpr double kApart = 0.01;     // radians left between the two sides of a ring that goes all round
+constexpr double kAbove = 0.01;     // metres: skin this far above the inner edge counts as well
+constexpr double kFlattest = 1e-3;  // metres from the apex of a cone down to its inner edge
+constexpr double kFurthest = 1.5;   // metres a cone may stand off
 
 std::optional<Flat> middleOf(const Curve& arc) {
   const Flat a = arc.start, b = arc.at(0.5), c = arc.end;
@@ -118,7 +119,7 @@ Result<Cone> coneRound(const RingSector& sector, const LimbFrame& limb, const st
 
   // The height of the apex at which the inner edge hangs at its level: the drop falls behind the height as that grows.
   const auto hung = [&](double off) -> std::pair<double, Tent> {
-    double low = 1e-3, high = sector.inner + 0.01;
+    double low = kFlattest, high = sector.inner + 0.01;
     Tent tent = tentOf(skin, axis, low, off, sector.inner);
     if (tent.drop <= low) return {0, tent};  // too small to go round even flat
     for (int i = 0; i < 60; ++i) {
@@ -131,11 +132,16 @@ Result<Cone> coneRound(const RingSector& sector, const LimbFrame& limb, const st
   const double needed = sector.angle + kApart;
   double off = ease;
   auto found = hung(off);
-  if (found.first == 0)
+  if (found.first == 0) {
+    // All but flat the drop is in proportion to the radius, and has to be more than the height.
+    const double has = sector.angle * sector.inner, needs = has * kFlattest / found.second.drop;
     return refused(
-        say("To go round there with its ease this ring, carried on to a whole circle, would need an inner edge of {0} "
-            "mm; it has {1} mm. Draw the edge longer or the sector narrower, or place it with less ease.",
-            fixed(perimeter(grown(waist, ease)) * 1000, 0), fixed(kFullTurn * sector.inner * 1000, 0)));
+        say("The inner edge of this ring is {0} mm too short to hang there: it has {1} mm, and a sector of {2} degrees "
+            "needs {3} mm to go round there with its ease. Draw the edge longer or the sector narrower, or place it "
+            "with less ease.",
+            std::floor((needs - has) * 1000) + 1, fixed(has * 1000, 0), fixed(sector.angle * 180 / std::numbers::pi, 0),
+            std::floor(needs * 1000) + 1));
+  }
   if (found.second.total < needed) {
     double low = ease, high = kFurthest;
     for (int i = 0; i < 50; ++i) {
