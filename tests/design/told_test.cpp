@@ -40,6 +40,35 @@ TEST(Told, ASideThatFitsAgainIsToldToFit) {
   EXPECT_THAT(told, Not(Contains(HasSubstr(" 0.0 mm longer"))));
 }
 
+// What is declared as ease is no fault; another difference tells of it.
+TEST(Told, ALongerSideIsToldBesideItsEase) {
+  const std::string sewn = std::string(kTwo) + "sew a=front.side_left b=back.side_left name=side\n";
+  EXPECT_THAT(toldOf(sewn + "ease seam=side by=2cm\nlength edge=front.side_left to=52cm\n"),
+              Not(Contains(HasSubstr("longer than"))));
+  EXPECT_THAT(
+      toldOf(sewn + "ease seam=side by=2cm\nlength edge=front.side_left to=55cm\n"),
+      Contains("front.side_left is 50.0 mm longer than back.side_left, to which it is sewn. An ease of 20.0 mm is "
+               "declared."));
+}
+
+// An edge holds as many seams as it has parts; what is left of it is named where one comes too far.
+TEST(Told, TheFreePartsOfAnEdgeAreNamed) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file, std::string(kTwo) +
+                                  "rectangle name=strap width=10cm height=20cm edges=\"low e1 high e2\"\n"
+                                  "sew a=front.hem@0.25:0.5 b=strap.low\n"));
+  const auto why = [&](const char* sew) { return text(room.play(file, sew).error().what); };
+  EXPECT_THAT(
+      why("sew a=front.hem@0.4:0.65 b=strap.high\n"),
+      HasSubstr("is already sewn there by seam s4; take that out first, or sew to what is free: front.hem@0:0.25, "
+                "front.hem@0.5:1."));
+  ASSERT_TRUE(room.play(file, "sew a=front.hem@0.5:0.75 b=strap.high\n"));
+  EXPECT_EQ(file.document().pattern.seams.size(), 2u);
+  EXPECT_THAT(why("sew a=back.neck b=strap.low\n"),
+              HasSubstr("strap.low is already sewn by seam s4; take that out first."));
+}
+
 // What was probably meant is offered, under the name of the seam it takes the place of.
 TEST(Told, ASeamToTheWrongSideComesWithTheRightOne) {
   Workroom room;

@@ -7,6 +7,7 @@
 #include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
 #include "karinui/pattern/likeness.h"
+#include "karinui/pattern/truing.h"
 
 namespace karinui {
 
@@ -181,7 +182,12 @@ void tellSeams(const Document& before, const Document& after, const Context& con
     const double was = lengthMismatch(before.pattern, before.pattern.seams.at(id)),
                  is = lengthMismatch(after.pattern, seam);
     if (std::fabs(is - was) < kTold) continue;
-    context.advise({longerSaid(after, refsOf(seam.a), refsOf(seam.b))});
+    const Message longer = longerSaid(after, refsOf(seam.a), refsOf(seam.b));
+    const auto ease = after.eases.find(id);
+    if (ease == after.eases.end())
+      context.advise({longer});
+    else if (!SeamTruing{id, length(after.pattern, seam.a), length(after.pattern, seam.b), ease->second, false}.fits())
+      context.advise({say("{0} An ease of {1} mm is declared.", longer, fixed(ease->second * 1e3, 1))});
   }
 }
 
