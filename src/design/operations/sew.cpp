@@ -28,6 +28,31 @@ Document cleared(const Document& before, const SewEdges& op) {
   return after;
 }
 
+// The parts of an edge to which nothing is sewn yet, as they are typed: "yoke.top@0.5:1".
+std::string freeOf(const Document& document, const EdgeRef& edge) {
+  constexpr double kLeast = 0.005;  // metres: nothing is sewn to less
+  std::vector<std::pair<double, double>> taken;
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto* held : takenSides(seam))
+      for (const EdgeSpan& span : *held)
+        if (span.piece == edge.piece.id && span.edge == edge.edge) taken.emplace_back(span.from, span.to);
+  std::sort(taken.begin(), taken.end());
+  taken.emplace_back(1, 1);
+  std::string all;
+  double from = 0;
+  for (const auto& [start, end] : taken) {
+    EdgeRef part = edge;
+    part.from = from, part.to = start;
+    if (start > from && lengthOf(document, {part}) > kLeast) {
+      const std::string& piece = document.find(edge.piece.id)->name;
+      all += (all.empty() ? "" : ", ") + piece + "." + edge.edge + "@" + written(std::round(from * 1e3) / 1e3) + ":" +
+             written(std::round(start * 1e3) / 1e3);
+    }
+    from = std::fmax(from, end);
+  }
+  return all;
+}
+
 bool onOutlines(const Document& document, const std::vector<EdgeRef>& side) {
   return std::all_of(side.begin(), side.end(), [&](const EdgeRef& edge) {
     return document.find(edge.piece.id)->outline.find(edge.edge).has_value();
@@ -116,9 +141,14 @@ Done resolve(const Document& given, SewEdges& op, Context& context) {
       if (overlap(edge, *all[j])) return refused(say("{0} cannot be sewn to itself.", spoken(before, edge)));
     const bool over = op.tie == SewEdges::Tie::Pleat && i < op.a.size();
     if (op.replace || over || lineOf(before, edge)) continue;  // to a line several things can be sewn
-    for (const SeamId id : seamsOn(before, {edge}))
-      return refused(
-          say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge), spoken(*before.find(id))));
+    for (const SeamId id : seamsOn(before, {edge})) {
+      const std::string free = freeOf(before, edge);
+      if (free.empty())
+        return refused(say("{0} is already sewn by seam {1}; take that out first.", spoken(before, edge),
+                           spoken(*before.find(id))));
+      return refused(say("{0} is already sewn there by seam {1}; take that out first, or sew to what is free: {2}.",
+                         spoken(before, edge), spoken(*before.find(id)), free));
+    }
   }
   for (auto* side : {&op.a, &op.b}) {
     *side = inOutlineOrder(before, std::move(*side));
