@@ -270,7 +270,7 @@ class GlbWriter {
     if (const Done done = addMaterial(name, object.colour, object.look, tileOf(object), object.look && !wrong); !done)
       return done.error();
     if (wrong)
-      if (const Done done = addMaterial(name + " wrong side", object.look->wrong->colour, object.look,
+      if (const Done done = addMaterial(name + "_wrong_side", object.look->wrong->colour, object.look,
                                         object.look->wrong->tile, false);
           !done)
         return done.error();

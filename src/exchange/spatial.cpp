@@ -23,7 +23,7 @@ bool lookAlike(const NamedMesh& a, const NamedMesh& b) {
 }
 
 std::string materialName(const NamedMesh& object) {
-  return object.flat ? "fabric " + object.fabric : object.fabric.empty() ? "skin" : object.fabric;
+  return object.flat ? "fabric_" + object.fabric : object.fabric.empty() ? "skin" : object.fabric;
 }
 
 Done checkMesh(const TriangleMesh& mesh, std::string_view name) {

@@ -332,6 +332,10 @@ TEST(Glb, GoesThroughItsKeyframes) {
   const auto bytes = writeGlb(g);
   ASSERT_TRUE(bytes) << text(bytes.error().what);
   const Glb glb(*bytes);
+  std::set<std::string> materials;
+  for (const auto& material : glb.json["materials"]) materials.insert(material["name"].get<std::string>());
+  EXPECT_EQ(materials, (std::set<std::string>{"skin", "fabric_cotton", "fabric_cotton_wrong_side", "buttons"}))
+      << "each one word";
   ASSERT_EQ(glb.json["meshes"].size(), 6u);
   for (std::size_t m = 0; m < 6; ++m) {
     const auto& mesh = glb.json["meshes"][m];
