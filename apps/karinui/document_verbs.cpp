@@ -8,6 +8,7 @@
 #include "json_answers.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/design/dump.h"
 #include "karinui/design/make_up.h"
 #include "karinui/design/script.h"
 #include "karinui/design/step_words.h"
@@ -20,6 +21,7 @@
 #include "readable_lengths.h"
 #include "sizes_said.h"
 #include "stage_pictures.h"
+#include "text_files.h"
 
 namespace karinui::app {
 
@@ -78,6 +80,7 @@ Result<void> playScript(OpenDocument& opened, const std::string& script, const s
 int runPlay(Program& program, const PlayOptions& options) {
   const Result<std::string> script = readFile(options.script);
   if (!script) return program.console.refuse(script.error());
+  if (isDump(*script)) return program.console.refuse(readByLoad(options.script));
   return makeDocument(program, options.out, options.overwrite, [&](OpenDocument& opened) -> Result<void> {
     StagePictures pictures(options.pictures, *script);
     const Result<void> played = playScript(opened, *script, options.body, pictures);
@@ -343,8 +346,12 @@ int runImport(Program& program, const ImportOptions& options) {
   if (options.out.empty()) return program.console.refuse(badInput(say("Say where the document goes: -o FILE.karinui")));
   if (content == FileContent::Script)
     return runPlay(program, {options.file, options.body, options.out, "", options.overwrite});
-  if (content != FileContent::Pattern && content != FileContent::Body)
-    return program.console.refuse(unreadable(options.file, kImported));
+  if (content != FileContent::Pattern && content != FileContent::Body) {
+    const Result<std::string> text = readFile(options.file);
+    return program.console.refuse(text && isDump(*text)     ? readByLoad(options.file)
+                                  : text && isScript(*text) ? readByPlay(options.file)
+                                                            : unreadable(options.file, kImported));
+  }
   return makeDocument(program, options.out, options.overwrite, [&](OpenDocument& opened) -> Result<void> {
     std::optional<CadPattern> drawn;
     if (content == FileContent::Pattern) {

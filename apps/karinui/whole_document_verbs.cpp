@@ -5,6 +5,7 @@
 #include "karinui/design/dump.h"
 #include "karinui/design/share.h"
 #include "open_document.h"
+#include "text_files.h"
 
 namespace karinui::app {
 
@@ -46,6 +47,7 @@ int runDump(Program& program, const FromTo& options) {
 int runLoad(Program& program, const FromTo& options) {
   const Result<std::string> dump = readFile(options.path);
   if (!dump) return program.console.refuse(dump.error());
+  if (isScript(*dump)) return program.console.refuse(readByPlay(options.path));
   if (const Done done = loadDump(*dump, options.out); !done)
     return program.console.refuse(inFile(options.path, done.error()));
   const int exit = withDocument(program, options.out, true, [&](OpenDocument& opened) -> int {

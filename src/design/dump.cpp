@@ -176,6 +176,10 @@ class DumpReader {
 
 }  // namespace
 
+bool isDump(std::string_view text) {
+  return text.starts_with(kFirstLine) && text.substr(kFirstLine.size()).find_first_not_of("\r\n") != 0;
+}
+
 Result<std::string> dumped(const std::filesystem::path& document) {
   const auto store = Store::open(document, false);
   if (!store) return store.error();

@@ -675,6 +675,32 @@ TEST_F(Command, ADumpIsItsOwnersAlone) {
   EXPECT_EQ(static_cast<unsigned>(fs::status(folder / "d.txt").permissions()), 0600u);
 }
 
+TEST_F(Command, TextsAreSentToTheVerbThatReadsThem) {
+  ASSERT_EQ(play("body size=jis9ar\n").exit, 0);
+  const std::string dump = folder / "d.txt", log = folder / "l.txt", other = " -o " + (folder / "new.karinui");
+  ASSERT_EQ(karinui("dump " + document() + " -o " + dump).exit, 0);
+  std::ofstream(log) << karinui("log " + document()).out;
+  for (const std::string verb : {"import ", "play "})
+    EXPECT_THAT(karinui(verb + dump + other).err, HasSubstr("karinui load " + dump)) << verb;
+  for (const std::string verb : {"import ", "load "})
+    EXPECT_THAT(karinui(verb + log + other).err, HasSubstr("karinui play " + log)) << verb;
+  std::ofstream(folder / "x.txt") << "something else\n";
+  EXPECT_THAT(karinui("import " + (folder / "x.txt") + other).err, HasSubstr("none of the endings"));
+  EXPECT_FALSE(fs::exists(folder / "new.karinui"));
+  EXPECT_EQ(karinui("load " + dump + other).exit, 0);
+}
+
+// By what is typed into `sew`: on paper that stands nowhere left and right are not the wearer's.
+TEST_F(Command, ProposedSeamsNameTheirEdgesAsScriptsDo) {
+  ASSERT_EQ(play("body size=eu38\nblock kind=shirt fabric=cotton\n").exit, 0);
+  ASSERT_EQ(karinui("export " + document() + " -o " + (folder / "s.dxf")).exit, 0);
+  const Said said = karinui("import " + (folder / "s.dxf") + " --sew list");
+  EXPECT_EQ(said.exit, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("shoulder_left: front_left.e"));
+  EXPECT_THAT(said.out, HasSubstr(" — back.e"));
+  EXPECT_THAT(said.out, testing::Not(HasSubstr("right shoulder")));
+}
+
 TEST_F(Command, RefusedInputChangesNothing) {
   EXPECT_EQ(play("body size=jis9ar\nsew a=front.side b=back.side\n").exit, 3);
   EXPECT_FALSE(fs::exists(document()));

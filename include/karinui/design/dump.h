@@ -13,6 +13,9 @@ namespace karinui {
 // Refuses a file that is not whole, as opening it does; `document` is only read.
 Result<std::string> dumped(const std::filesystem::path& document);
 
+// Whether a text begins as what dumped() writes.
+bool isDump(std::string_view text);
+
 // Makes a new document of a dump. Refused, with nothing left behind, where the text is not a dump (the error names the
 // line) or `to` exists already. The content is a stranger's: DocumentFile::open() looks it through.
 Done loadDump(std::string_view dump, const std::filesystem::path& to);
