@@ -211,13 +211,14 @@ int runLog(Program& program, const DocumentOnly& options) {
   });
 }
 
-std::string sideSaid(Program& program, const std::vector<EdgeRef>& side, const Document& document) {
-  Message all;
+// The edges as `sew` takes them: on flat paper that stands nowhere yet, left and right are not the wearer's.
+std::string sideSaid(const std::vector<EdgeRef>& side, const Document& document) {
+  std::string all;
   for (const EdgeRef& edge : side) {
-    const Message one = edgeSaid(document, edge);
-    all = all.empty() ? one : say("{0} + {1}", all, one);
+    all += (all.empty() ? "" : " + ") + document.find(edge.piece.id)->name + "." + edge.edge;
+    if (edge.from > 0 || edge.to < 1) all += "@" + fixed(edge.from, 3) + ":" + fixed(edge.to, 3);
   }
-  return program.console.said(all);
+  return all;
 }
 
 Json proposalJson(Program& program, const SeamProposal& one, const Document& document) {
@@ -225,14 +226,14 @@ Json proposalJson(Program& program, const SeamProposal& one, const Document& doc
           {"operation", text(Operation(one.sew))},
           {"sure", one.sure},
           {"sewn", one.sure >= kSureSeam},
-          {"a", sideSaid(program, one.sew.a, document)},
-          {"b", sideSaid(program, one.sew.b, document)},
+          {"a", sideSaid(one.sew.a, document)},
+          {"b", sideSaid(one.sew.b, document)},
           {"reason", program.console.said(one.reason)}};
 }
 
-Message proposalSaid(Program& program, const SeamProposal& one, const Document& document) {
+Message proposalSaid(const SeamProposal& one, const Document& document) {
   return say("{0}% {1}: {2} — {3} ({4})", static_cast<int>(std::lround(one.sure * 100)), one.sew.name,
-             sideSaid(program, one.sew.a, document), sideSaid(program, one.sew.b, document), one.reason);
+             sideSaid(one.sew.a, document), sideSaid(one.sew.b, document), one.reason);
 }
 
 // Makes up a pattern that came without its sewing, and tells what it left to the person.
@@ -245,7 +246,7 @@ Done madeUp(OpenDocument& opened) {
   for (const PieceId id : making->unknown)
     console.note(say("“{0}” was not recognised; it stands beside the figure.", opened.document().find(id)->name));
   for (const SeamProposal& one : making->unsure)
-    console.note(say("Not sewn: {0}", proposalSaid(opened.program(), one, opened.document())));
+    console.note(say("Not sewn: {0}", proposalSaid(one, opened.document())));
   for (const Message& note : making->notes) console.note(say("Not sewn: {0}", note));
   return {};
 }
@@ -318,7 +319,7 @@ int runList(Program& program, const ImportOptions& options, bool sewing) {
     readings = readPieces(document.pattern);
     for (const SeamProposal& one : proposeSeams(document, readings)) {
       seams.push_back(proposalJson(program, one, document));
-      line(proposalSaid(program, one, document));
+      line(proposalSaid(one, document));
     }
   }
   if (!read->pattern.seams.empty()) line(say("{0} {0|seam|seams} in the file.", read->pattern.seams.size()));
