@@ -388,10 +388,11 @@ class PythonDocument {
         if (!body) return body.error();
         drawn->pattern = raisedTo(**body, std::move(drawn->pattern)).pattern;
       }
-      for (const Message& note : unknownFabricsSaid(drawn->pattern, file.document())) notes_.push_back(text(note));
+      for (const Message& note : unknownFabricsSaid(drawn->pattern, file.document(), drawn->fabrics))
+        notes_.push_back(text(note));
       std::size_t count = 0;
       for (Operation& operation :
-           stepsOf(drawn->pattern, file.document(), drawn->grading, drawn->cutting, &file.blobs())) {
+           stepsOf(drawn->pattern, file.document(), drawn->grading, drawn->cutting, &file.blobs(), drawn->fabrics)) {
         if (const auto step = file.perform(std::move(operation), context); !step) {
           for (; count > 0; --count)
             if (const auto back = file.undo(context); !back) return back.error();

@@ -266,7 +266,8 @@ Done sizesTold(OpenDocument& opened) {
 // What the pattern would become, in memory.
 Result<Document> drawnUp(const CadPattern& read, Context& context) {
   Document document;
-  for (const Operation& operation : stepsOf(read.pattern, document, read.grading, read.cutting)) {
+  for (const Operation& operation :
+       stepsOf(read.pattern, document, read.grading, read.cutting, nullptr, read.fabrics)) {
     auto next = apply(document, operation, context);
     if (!next) return next.error();
     document = *std::move(next);
@@ -378,9 +379,10 @@ int runImport(Program& program, const ImportOptions& options) {
                                  raised.by > 0 ? say("up") : say("down"), fixed(100 * std::fabs(raised.by), 0)));
       drawn->pattern = std::move(raised.pattern);
     }
-    for (const Message& note : unknownFabricsSaid(drawn->pattern, opened.document())) program.console.note(note);
-    for (Operation& operation :
-         stepsOf(drawn->pattern, opened.document(), drawn->grading, drawn->cutting, &opened.file().blobs()))
+    for (const Message& note : unknownFabricsSaid(drawn->pattern, opened.document(), drawn->fabrics))
+      program.console.note(note);
+    for (Operation& operation : stepsOf(drawn->pattern, opened.document(), drawn->grading, drawn->cutting,
+                                        &opened.file().blobs(), drawn->fabrics))
       if (const auto step = opened.perform(std::move(operation)); !step) return step.error();
     if (options.sew == "auto" && drawn->pattern.seams.empty())
       if (const Done done = madeUp(opened); !done) return done;

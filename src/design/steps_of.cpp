@@ -15,20 +15,65 @@ std::vector<std::string> unknownFabrics(const Pattern& pattern, const Document& 
   return {names.begin(), names.end()};
 }
 
-std::vector<Message> unknownFabricsSaid(const Pattern& pattern, const Document& into) {
+namespace {
+
+// The fabrics of the pieces whose values are told and differ from what is known under their names.
+std::vector<Fabric> toldFabrics(const Pattern& pattern, const Document& into,
+                                const std::map<std::string, Fabric>& told) {
+  std::set<std::string> names;
+  for (const auto& [id, piece] : pattern.pieces) names.insert(piece->fabric);
+  std::vector<Fabric> all;
+  for (const std::string& name : names) {
+    const auto at = told.find(name);
+    if (at == told.end() || !checkName(name)) continue;
+    const auto known = fabricNamed(into, name);
+    if (!known || !(*known == at->second)) all.push_back(at->second);
+  }
+  return all;
+}
+
+// A step that gives a fabric all its values.
+SetFabric describing(const Fabric& fabric, const Document& into) {
+  SetFabric step;
+  step.name = fabric.name;
+  if (!fabricNamed(into, fabric.name)) step.like = Piece().fabric;
+  step.law = fabric.law;
+  step.weight = fabric.weight, step.thickness = Length{fabric.thickness};
+  step.stretchWarp = fabric.stretchWarp, step.stretchWeft = fabric.stretchWeft;
+  step.toeWarp = fabric.toeWarp, step.toeWeft = fabric.toeWeft;
+  step.stiffenWarp = fabric.stiffenWarp, step.stiffenWeft = fabric.stiffenWeft;
+  step.compression = fabric.compression;
+  step.shear = fabric.shear, step.shearStiffen = fabric.shearStiffen;
+  step.bendWarp = fabric.bendWarp, step.bendWeft = fabric.bendWeft;
+  step.frictionBody = fabric.frictionBody, step.frictionCloth = fabric.frictionCloth;
+  return step;
+}
+
+}  // namespace
+
+std::vector<Message> unknownFabricsSaid(const Pattern& pattern, const Document& into,
+                                        const std::map<std::string, Fabric>& told) {
   std::vector<Message> said;
+  for (const Fabric& fabric : toldFabrics(pattern, into, told))
+    if (into.fabrics.contains(fabric.name))
+      said.push_back(
+          say("The garment has a fabric “{0}” of its own; what is read is cut from that.", nameSaid(fabric.name)));
   for (const std::string& name : unknownFabrics(pattern, into))
-    said.push_back(
-        say("The pattern tells of the fabric “{0}” only its name; it is like {1} until its values are given.",
-            nameSaid(name), nameSaid(Piece().fabric)));
+    if (!told.contains(name))
+      said.push_back(
+          say("The pattern tells of the fabric “{0}” only its name; it is like {1} until its values are given.",
+              nameSaid(name), nameSaid(Piece().fabric)));
   return said;
 }
 
 std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading,
-                               const CuttingNotes& told, Blobs* bent) {
+                               const CuttingNotes& told, Blobs* bent, const std::map<std::string, Fabric>& fabrics) {
   std::vector<Operation> steps;
   std::map<PieceId, std::string> names;
+  for (const Fabric& fabric : toldFabrics(pattern, into, fabrics))
+    if (!into.fabrics.contains(fabric.name)) steps.push_back(describing(fabric, into));
   for (const std::string& name : unknownFabrics(pattern, into)) {
+    if (fabrics.contains(name)) continue;
     SetFabric fabric;
     fabric.name = name, fabric.like = Piece().fabric;
     steps.push_back(std::move(fabric));

@@ -31,13 +31,13 @@ Result<std::string> writeObjOf(const ExportSource& source) {
 Result<std::string> writeExact(const ExportSource& source) {
   const auto allowances = allowancesOn(source.pattern, source.sheet);
   if (!allowances) return allowances.error();
-  return writePatternJson(source.pattern, *allowances ? &**allowances : nullptr);
+  return writePatternJson(source.pattern, *allowances ? &**allowances : nullptr, source.sheet.fabrics);
 }
 
 Result<CadPattern> readExact(std::string_view bytes, std::string_view size) {
   if (!size.empty()) return badInput(say("Such a file holds one size only."));
   CadPattern read;
-  auto pattern = readPatternJson(bytes, &read.cutting.allowances);
+  auto pattern = readPatternJson(bytes, &read.cutting.allowances, &read.fabrics);
   if (!pattern) return pattern.error();
   read.pattern = *std::move(pattern);
   leaveOutHoles(read);

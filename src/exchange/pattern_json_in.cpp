@@ -2,6 +2,7 @@
 #include <optional>
 #include <set>
 
+#include "fabric_values.h"
 #include "karinui/exchange/pattern_json.h"
 #include "names.h"
 #include "sheet.h"
@@ -167,6 +168,17 @@ class Reader {
     }
   }
 
+  Fabric fabric(const Json& json) {
+    Fabric out;
+    out.name = text(json, "name");
+    where_ = say("Fabric \"{0}\"", shown(out.name));
+    if (out.name.empty() || cleanText(out.name) != out.name) refuse("name");
+    if (!lawNamed(text(json, "law"), out.law)) refuse("law");
+    eachFabricValue(out, [&](const char* name, double& value) { value = number(json, name); });
+    if (const auto sane = checkFabric(out); !sane && !error) refuse(say("{0}: {1}", where_, sane.error().what));
+    return out;
+  }
+
   std::vector<EdgeSpan> side(const Json& spans, const Pattern& pattern) {
     std::vector<EdgeSpan> out;
     if (spans.empty()) refuse("a, b");
@@ -201,7 +213,7 @@ class Reader {
 
 }  // namespace
 
-Result<Pattern> readPatternJson(std::string_view json, Allowances* allowances) {
+Result<Pattern> readPatternJson(std::string_view json, Allowances* allowances, std::map<std::string, Fabric>* fabrics) {
   const Result<Json> root = parseStrictJson(json);
   if (!root) return root.error();
   const Json* format = member(*root, "format");
@@ -226,6 +238,14 @@ Result<Pattern> readPatternJson(std::string_view json, Allowances* allowances) {
     if (out.seams.contains(seam.id)) reader.refuse("id");
     if (reader.error) return *reader.error;
     out.seams[seam.id] = std::move(seam);
+  }
+  const Json& cloths = reader.list(*root, "fabrics", false);
+  if (cloths.size() > kMostPieces) return badInput(say("There are more than {0} fabrics.", kMostPieces));
+  for (const Json& json_ : cloths) {
+    reader.at({});
+    Fabric fabric = reader.fabric(json_);
+    if (reader.error) return *reader.error;
+    if (fabrics) (*fabrics)[fabric.name] = std::move(fabric);
   }
   if (reader.error) return *reader.error;
   if (allowances) *allowances = ownWidths(out, std::move(reader.told));

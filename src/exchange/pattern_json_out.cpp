@@ -1,3 +1,4 @@
+#include "fabric_values.h"
 #include "karinui/exchange/pattern_json.h"
 #include "names.h"
 #include "strict_json.h"
@@ -81,6 +82,12 @@ Json of(const Piece& piece) {
   return out;
 }
 
+Json of(const Fabric& fabric) {
+  Json out{{"name", fabric.name}, {"law", lawName(fabric.law)}};
+  eachFabricValue(fabric, [&](const char* name, double value) { out[name] = value; });
+  return out;
+}
+
 Json of(const std::vector<EdgeSpan>& side) {
   Json out = Json::array();
   for (const EdgeSpan& span : side)
@@ -95,7 +102,8 @@ Json of(const Seam& seam) {
 
 }  // namespace
 
-std::string writePatternJson(const Pattern& pattern, const AllowancePlan* allowances) {
+std::string writePatternJson(const Pattern& pattern, const AllowancePlan* allowances,
+                             const std::map<std::string, Fabric>& fabrics) {
   Json root{{"format", "karinui-pattern-1"}, {"units", "m"}, {"pieces", Json::array()}, {"seams", Json::array()}};
   for (const auto& [id, piece] : pattern.pieces) {
     Json written = of(*piece);
@@ -110,6 +118,7 @@ std::string writePatternJson(const Pattern& pattern, const AllowancePlan* allowa
     root["pieces"].push_back(std::move(written));
   }
   for (const auto& [id, seam] : pattern.seams) root["seams"].push_back(of(seam));
+  for (const Fabric* fabric : fabricsOf(pattern, fabrics)) root["fabrics"].push_back(of(*fabric));
   return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -257,6 +257,7 @@ void tellGarment(const Document& document, const PhotoTall& tall, SheetSettings&
   settings.allowances = document.allowances;
   settings.cutting = document.cutting;
   settings.grading = document.grading;
+  if (auto fabrics = fabricsInUse(document)) settings.fabrics = *std::move(fabrics);
   if (tall) settings.matches = matchMarks(document, tall);
   settings.order.clear();
   for (const SewingStep& step : sewingOrder(document)) settings.order.push_back(step.words);

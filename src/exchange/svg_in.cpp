@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 
+#include "fabric_values.h"
 #include "karinui/base/number.h"
 #include "names.h"
 #include "sheet.h"
@@ -104,6 +105,7 @@ std::optional<std::vector<EdgeSpan>> spansOf(const std::string* text, const Patt
 class SheetReader {
  public:
   Allowances told;
+  std::map<std::string, Fabric> fabrics;
 
   Result<Pattern> read(const std::vector<XmlElement>& elements) {
     for (const XmlElement& element : elements) {
@@ -120,9 +122,14 @@ class SheetReader {
     if (open_)
       if (auto done = close(); !done) return done.error();
     if (out_.pieces.empty()) return badInput(say("The drawing has no pieces."));
-    for (const XmlElement& element : elements)
-      if (const std::string* kind = element.find("class"); kind && *kind == "sewing")
+    for (const XmlElement& element : elements) {
+      const std::string* kind = element.find("class");
+      if (element.name != "metadata" || !kind) continue;
+      if (*kind == "sewing")
         if (auto sewn = sew(element); !sewn) return sewn.error();
+      if (*kind == "fabric")
+        if (auto known = fabric(element); !known) return known.error();
+    }
     return std::move(out_);
   }
 
@@ -205,6 +212,22 @@ class SheetReader {
     out_.pieces[id] = std::make_shared<const Piece>(std::move(piece_));
     return {};
   }
+  Done fabric(const XmlElement& element) {
+    Fabric out;
+    const std::string *name = element.find("data-name"), *law = element.find("data-law");
+    bool good = name && !name->empty() && law && lawNamed(*law, out.law);
+    eachFabricValue(out, [&](const char* key, double& value) {
+      const std::string* words = element.find(std::string("data-") + key);
+      const auto number = words ? parseNumber(*words) : std::nullopt;
+      good = good && number;
+      value = number.value_or(0);
+    });
+    if (name) out.name = *name;
+    if (!good || !checkFabric(out))
+      return badInput(say("A fabric of the drawing cannot be read: {0}.", shown(name ? *name : std::string("?"))));
+    fabrics[out.name] = std::move(out);
+    return {};
+  }
   Done sew(const XmlElement& element) {
     const std::string *name = element.find("data-seam"), *id = element.find("data-id"), *tie = element.find("data-tie");
     const std::string* reversed = element.find("data-reversed");
@@ -227,7 +250,7 @@ class SheetReader {
 
 }  // namespace
 
-Result<Pattern> readSvg(std::string_view svg, Allowances* allowances) {
+Result<Pattern> readSvg(std::string_view svg, Allowances* allowances, std::map<std::string, Fabric>* fabrics) {
   const auto elements = parseXml(svg);
   if (!elements) return elements.error();
   const std::string* format = elements->front().find("data-format");
@@ -235,6 +258,7 @@ Result<Pattern> readSvg(std::string_view svg, Allowances* allowances) {
     return badInput(say("This drawing was not written by Karinui; only its own sheets can be read back."));
   SheetReader reader;
   auto read = reader.read(*elements);
+  if (read && fabrics) *fabrics = std::move(reader.fabrics);
   if (read && allowances) *allowances = ownWidths(*read, std::move(reader.told));
   return read;
 }

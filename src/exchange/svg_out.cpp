@@ -1,4 +1,5 @@
 // The sheet as SVG 1.1. Numbers carry six decimals of a millimetre: a curve read back is the same to a nanometre.
+#include "fabric_values.h"
 #include "karinui/base/number.h"
 #include "names.h"
 #include "sheet.h"
@@ -197,7 +198,17 @@ std::string svgOf(const Sheet& sheet, const Pattern* sewing) {
 Result<std::string> writeSvg(const Pattern& pattern, const SheetSettings& settings) {
   const Result<Sheet> sheet = layOut(pattern, settings);
   if (!sheet) return sheet.error();
-  return svgOf(*sheet, &pattern);
+  std::string told;
+  for (const Fabric* fabric : fabricsOf(pattern, settings.fabrics)) {
+    told += "  <metadata class=\"fabric\" data-name=\"" + xmlEscaped(fabric->name) + "\" data-law=\"" +
+            std::string(lawName(fabric->law)) + "\"";
+    eachFabricValue(*fabric, [&](const char* name, double value) {
+      told += std::string(" data-") + name + "=\"" + shortest(value) + "\"";
+    });
+    told += "/>\n";
+  }
+  std::string drawn = svgOf(*sheet, &pattern);
+  return drawn.insert(drawn.rfind("</svg>"), told);
 }
 
 }  // namespace karinui

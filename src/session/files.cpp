@@ -37,8 +37,9 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
     if (!figure) return figure.error();
     pattern = raisedTo(**figure, std::move(pattern)).pattern;
   }
-  notes = unknownFabricsSaid(pattern, document);
-  for (Operation& operation : stepsOf(pattern, document, read->grading, read->cutting, &documentWorker.file().blobs()))
+  notes = unknownFabricsSaid(pattern, document, read->fabrics);
+  for (Operation& operation :
+       stepsOf(pattern, document, read->grading, read->cutting, &documentWorker.file().blobs(), read->fabrics))
     if (const auto step = documentWorker.perform(std::move(operation), token); !step) return step.error();
   return {};
 }

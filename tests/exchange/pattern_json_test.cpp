@@ -151,6 +151,63 @@ TEST(PatternJson, APatternOfAFabricThatIsNotKnownHereIsRead) {
   EXPECT_EQ(document.fabrics.at("Shirt_cotton").weight, 0.3);
 }
 
+// The values of fabrics are told, and a document that is made of the file has the same.
+TEST(PatternJson, FabricsComeBackWithTheirValues) {
+  Pattern once = test::random(4);
+  once.seams.clear();
+  for (auto& [id, piece] : once.pieces) {
+    Piece own = *piece;
+    own.marks.clear(), own.fabric = "my_wool";
+    piece = std::make_shared<const Piece>(own);
+  }
+  Fabric wool = *preset("linen");
+  wool.name = "my_wool", wool.weight = 0.3217, wool.bendWarp = 1.0 / 30000, wool.toeWeft = 0.0031;
+  const std::map<std::string, Fabric> told{{"my_wool", wool}, {"cotton", *preset("cotton")}};
+  SheetSettings sheet;
+  sheet.fabrics = told;
+  const std::string written = writePatternJson(once, nullptr, told);
+  const auto drawn = writeSvg(once, sheet);
+  ASSERT_TRUE(drawn) << text(drawn.error().what);
+  const auto fromDrawing = readDrawing(*drawn);
+  ASSERT_TRUE(fromDrawing) << text(fromDrawing.error().what);
+  std::map<std::string, Fabric> fabrics;
+  const auto again = readPatternJson(written, nullptr, &fabrics);
+  ASSERT_TRUE(again) << text(again.error().what);
+  for (const auto& read : {fabrics, fromDrawing->fabrics}) {
+    ASSERT_EQ(read.size(), 1u) << "only those that a piece is cut from";
+    EXPECT_EQ(read.at("my_wool"), wool);
+  }
+  EXPECT_EQ(writePatternJson(*again, nullptr, fabrics), written);
+  Workers workers(1);
+  MemoryBlobs blobs;
+  Bodies bodies;
+  Token token;
+  Context context{workers, token, blobs, bodies, {}, {}};
+  const auto made = [&](Document document) {
+    for (const Operation& step : stepsOf(*again, document, {}, {}, nullptr, fabrics)) {
+      auto next = apply(document, step, context);
+      EXPECT_TRUE(next) << text(next.error().what);
+      if (next) document = *std::move(next);
+    }
+    return document;
+  };
+  EXPECT_TRUE(unknownFabricsSaid(*again, {}, fabrics).empty());
+  EXPECT_EQ(made({}).fabrics.at("my_wool"), wool);
+  // What the garment has under that name is not changed, and that is told.
+  Document own;
+  own.fabrics["my_wool"] = wool, own.fabrics["my_wool"].weight = 0.5;
+  EXPECT_EQ(made(own).fabrics.at("my_wool").weight, 0.5);
+  const auto said = unknownFabricsSaid(*again, own, fabrics);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(text(said[0]).find("of its own"), std::string::npos) << text(said[0]);
+  for (const char* wrong : {"\"weight\": -1", "\"weight\": \"heavy\"", "\"weight\": 1e9"}) {
+    std::string broken = written;
+    const std::size_t at = broken.find("\"weight\": ");
+    broken.replace(at, broken.find_first_of(",\n", at) - at, wrong);
+    EXPECT_FALSE(readPatternJson(broken)) << wrong;
+  }
+}
+
 // What was bent on a body stands as it stood, and what was frozen stays so.
 TEST(PatternJson, PiecesStandAsTheFileSays) {
   Pattern once = test::random(3);

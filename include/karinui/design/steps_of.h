@@ -16,13 +16,15 @@ struct CuttingNotes {
 // Fabrics that the pattern names and that neither the shop nor `into` knows. A pattern tells no more of them.
 std::vector<std::string> unknownFabrics(const Pattern& pattern, const Document& into);
 // To the person, for each of them.
-std::vector<Message> unknownFabricsSaid(const Pattern& pattern, const Document& into);
+std::vector<Message> unknownFabricsSaid(const Pattern& pattern, const Document& into,
+                                        const std::map<std::string, Fabric>& told = {});
 
-// The fabrics that are not known, each like the usual one; each piece under a usable name that is free in `into` and
-// among themselves, then its sizes where `into` has none, then each seam, how often pieces are cut and how wide their
-// allowances are. `grading`: its size that stands is the base. `bent`: where the pieces' forms are put, which are left
-// out without it.
+// The fabrics that are not known, each with the values that are `told` of it, else like the usual one; each piece under
+// a usable name that is free in `into` and among themselves, then its sizes where `into` has none, then each seam, how
+// often pieces are cut and how wide their allowances are. `grading`: its size that stands is the base. `bent`: where
+// the pieces' forms are put, which are left out without it.
 std::vector<Operation> stepsOf(const Pattern& pattern, const Document& into, const Grading& grading = {},
-                               const CuttingNotes& cutting = {}, Blobs* bent = nullptr);
+                               const CuttingNotes& cutting = {}, Blobs* bent = nullptr,
+                               const std::map<std::string, Fabric>& told = {});
 
 }  // namespace karinui

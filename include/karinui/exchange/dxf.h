@@ -23,8 +23,9 @@ struct CadPattern {
   std::string size;                // the one that was read
   Pattern pattern;                 // its pieces: flat, at the origin, without seams, which such files do not hold
   Grading grading;                 // what the other sizes differ by, where there are any; the size read is the base
-  CuttingNotes cutting;            // how often pieces are cut, where the file tells; seam allowances of pattern JSON
-  struct RulePlace {               // a grade rule is named at a point of the file
+  std::map<std::string, Fabric> fabrics;  // whose values the file tells, by name
+  CuttingNotes cutting;  // how often pieces are cut, where the file tells; seam allowances of pattern JSON
+  struct RulePlace {     // a grade rule is named at a point of the file
     PieceId piece;
     std::string edge;
     double at = 0;

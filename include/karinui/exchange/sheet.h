@@ -21,6 +21,7 @@ struct SheetSettings {
   Allowances allowances;                  // of the garment, like the next: tellGarment()
   std::map<PieceId, Cutting> cutting;     // of pieces that are cut more than once
   Grading grading;                        // its sizes
+  std::map<std::string, Fabric> fabrics;  // that it is cut from
   std::vector<MatchMark> matches;         // where the lines of its print cross seams
   std::vector<Message> order;             // in which it is sewn, a sentence each
   bool nest = false;                      // all sizes over one another, not only the one that stands
@@ -41,8 +42,9 @@ Result<std::string> writeSvg(const Pattern& pattern, const SheetSettings& settin
 
 // Reads a drawing written by writeSvg: outlines, holes, internal lines, marks, grain, fabric, seams. Where pieces stand
 // in space is not in a drawing: they come back flat, at the origin. Other drawings are refused. `allowances`: widths of
-// edges that are not as usual.
-Result<Pattern> readSvg(std::string_view svg, Allowances* allowances = nullptr);
+// edges that are not as usual. `fabrics`: those whose values are told.
+Result<Pattern> readSvg(std::string_view svg, Allowances* allowances = nullptr,
+                        std::map<std::string, Fabric>* fabrics = nullptr);
 
 enum class PaperKind {
   OneSheet,  // one page as large as the sheet, for a plotter or a print shop

@@ -588,7 +588,7 @@ Result<CadPattern> readDrawing(std::string_view svg, std::string_view size) {
     return badInput(say("This file is no SVG drawing."));
   if (format && *format == "karinui-sheet-1") {
     CadPattern whole;
-    auto own = readSvg(svg, &whole.cutting.allowances);
+    auto own = readSvg(svg, &whole.cutting.allowances, &whole.fabrics);
     if (!own) return own.error();
     whole.pattern = *std::move(own);
     leaveOutHoles(whole);
