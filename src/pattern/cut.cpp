@@ -218,9 +218,12 @@ Result<CutPieces> cutAlong(const Piece& piece, Stretch stretch, std::vector<Hole
 }
 
 Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId second, const std::string& secondName,
-                           const std::set<std::string>& sewnLines) {
+                           const std::set<std::string>& sewnLines, bool toCorners) {
   auto stretches = stretchesOver(piece, std::move(line), {});
   if (!stretches) return stretches.error();
+  if (toCorners)
+    if (auto led = *stretches; leadToCorners(piece.outline, led))
+      if (auto cut = cutAlong(piece, std::move(led.front()), {}, second, secondName, sewnLines)) return cut;
   return cutAlong(piece, std::move(stretches->front()), {}, second, secondName, sewnLines);
 }
 

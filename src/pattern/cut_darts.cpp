@@ -76,20 +76,14 @@ Result<Crossed> doubleDartsAcross(const Pattern& pattern, const Piece& whole, co
   return crossed;
 }
 
-}  // namespace
-
-Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std::vector<Flat> line,
-                                 const std::function<NewPart(std::size_t)>& newPart,
-                                 const std::set<std::string>& sewnLines, const std::vector<bool>& keepLeft) {
-  std::vector<PaperDart> darts;
-  for (const PaperDart& dart : dartsOf(pattern))
-    if (dart.piece == piece.id) darts.push_back(dart);
-  const auto stretches = stretchesOver(piece, std::move(line), darts);
-  if (!stretches) return stretches.error();
+// The piece cut along each of the stretches.
+Result<CutAcross> cutStretches(const Pattern& pattern, const Piece& piece, const std::vector<Stretch>& stretches,
+                               const std::vector<PaperDart>& darts, const std::function<NewPart(std::size_t)>& newPart,
+                               const std::set<std::string>& sewnLines, const std::vector<bool>& keepLeft) {
   CutAcross all{{{piece}, {}}, {}, {}};
   std::size_t made = 0;
-  for (std::size_t s = 0; s < stretches->size(); ++s) {
-    const auto& places = (*stretches)[s].line;
+  for (std::size_t s = 0; s < stretches.size(); ++s) {
+    const auto& places = stretches[s].line;
     // The part that it runs over: where its longest bit has its middle.
     std::size_t longest = 0;
     for (std::size_t k = 0; k + 1 < places.size(); ++k)
@@ -100,7 +94,7 @@ Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std
     if (part == all.cut.pieces.end())
       return refused(say("The line does not run over piece {0}; draw it across the cloth.", piece.name));
     // On a part its ends are found anew; on the whole piece that would move them by some bits.
-    auto stretch = s == 0 ? Result<std::vector<Stretch>>({(*stretches)[0]}) : stretchesOver(*part, places, {});
+    auto stretch = s == 0 ? Result<std::vector<Stretch>>({stretches[0]}) : stretchesOver(*part, places, {});
     if (!stretch) return stretch.error();
     auto crossed = doubleDartsAcross(pattern, piece, *part, stretch->front());
     if (!crossed) return crossed.error();
@@ -122,12 +116,29 @@ Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std
     // The dart between this stretch and the one before.
     const auto ends = [&](const PaperDart& dart) {
       const auto on = [&](const EdgePlace& place) { return place.edge == dart.to || place.edge == dart.back; };
-      return on(*(*stretches)[s - 1].end) && on(*(*stretches)[s].start);
+      return on(*stretches[s - 1].end) && on(*stretches[s].start);
     };
     if (const auto dart = std::find_if(darts.begin(), darts.end(), ends); dart != darts.end())
       all.darts.push_back({dart->seam, false});
   }
   return all;
+}
+
+}  // namespace
+
+Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std::vector<Flat> line,
+                                 const std::function<NewPart(std::size_t)>& newPart,
+                                 const std::set<std::string>& sewnLines, const std::vector<bool>& keepLeft,
+                                 bool toCorners) {
+  std::vector<PaperDart> darts;
+  for (const PaperDart& dart : dartsOf(pattern))
+    if (dart.piece == piece.id) darts.push_back(dart);
+  const auto stretches = stretchesOver(piece, std::move(line), darts);
+  if (!stretches) return stretches.error();
+  if (toCorners)
+    if (auto led = *stretches; leadToCorners(piece.outline, led))
+      if (auto cut = cutStretches(pattern, piece, led, darts, newPart, sewnLines, keepLeft)) return cut;
+  return cutStretches(pattern, piece, *stretches, darts, newPart, sewnLines, keepLeft);
 }
 
 std::vector<Seam> dividedDart(Seam seam, bool turned) {

@@ -9,9 +9,10 @@
 namespace karinui {
 namespace {
 
-constexpr double kSnap = 5e-3;     // ends nearer to the outline than this go onto it
-constexpr double kWiggle = 2e-4;   // of the line, straightened
-constexpr double kSameCut = 1e-6;  // metres
+constexpr double kSnap = 5e-3;        // ends nearer to the outline than this go onto it
+constexpr double kWiggle = 2e-4;      // of the line, straightened
+constexpr double kSameCut = 1e-6;     // metres
+constexpr double kCornerNear = 3e-3;  // metres: nobody wants an edge as short as this
 
 Meeting nearestOn(const Outline& outline, Flat place) {
   Meeting best;
@@ -75,6 +76,23 @@ Meeting acrossDart(const Outline& outline, const Meeting& from, std::size_t edge
   meeting.on = {edge, there.parameterAt(share * there.length())};
   meeting.place = there.at(meeting.on.t);
   return meeting;
+}
+
+// The corner that is near to a place of the outline; nothing: none is, or the place is on it.
+std::optional<EdgePlace> cornerNear(const Outline& outline, const EdgePlace& on) {
+  const Curve& curve = outline.edges[on.edge].curve;
+  const double before = curve.lengthTo(on.t), behind = curve.length() - before;
+  if (std::min(before, behind) > kCornerNear || std::min(before, behind) < kSameCut) return std::nullopt;
+  return EdgePlace{before <= behind ? on.edge : (on.edge + 1) % outline.edges.size(), 0};
+}
+
+// A line that stays as near to the outline as a corner would be takes a thin strip off.
+bool takesStrip(const Outline& outline, const std::vector<Flat>& line) {
+  const Ring ring = outline.flattened(1e-5);
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+    for (const double t : {0.25, 0.5, 0.75})
+      if (distanceToRing(ring, lerp(line[k], line[k + 1], t)) > kCornerNear) return false;
+  return true;
 }
 
 }  // namespace
@@ -170,6 +188,17 @@ Result<std::vector<Stretch>> stretchesOver(const Piece& piece, std::vector<Flat>
     found.push_back(std::move(stretch));
   }
   return found;
+}
+
+bool leadToCorners(const Outline& outline, std::vector<Stretch>& stretches) {
+  if (stretches.size() == 1 && takesStrip(outline, stretches.front().line)) return false;
+  Stretch &first = stretches.front(), &last = stretches.back();
+  const auto start = first.start ? cornerNear(outline, *first.start) : std::nullopt;
+  const auto end = last.end ? cornerNear(outline, *last.end) : std::nullopt;
+  if (start && end && start->edge == end->edge) return false;
+  if (start) first.start = start, first.line.front() = outline.edges[start->edge].curve.start;
+  if (end) last.end = end, last.line.back() = outline.edges[end->edge].curve.start;
+  return start || end;
 }
 
 }  // namespace karinui

@@ -18,5 +18,8 @@ struct Stretch {
 // other. Refused: what cutPiece() (edit.h) refuses of a line.
 Result<std::vector<Stretch>> stretchesOver(const Piece& piece, std::vector<Flat> line,
                                            const std::vector<PaperDart>& darts);
+// Leads the ends of the line that meet the outline within 3 mm of a corner to the corner, unless the line only takes a
+// strip as thin off an edge. Answers whether that changed anything.
+bool leadToCorners(const Outline& outline, std::vector<Stretch>& stretches);
 
 }  // namespace karinui

@@ -121,20 +121,48 @@ bool nameLikeImage(Piece& copy, EdgeMap& edges, const Piece& piece) {
     if (!own) return false;
     names->merge(*own);
   }
+  renameEdges(copy, edges, *names);
+  return true;
+}
+
+void renameEdges(Piece& piece, EdgeMap& edges, const std::map<std::string, std::string>& names) {
   const auto rename = [&](std::string& name) {
-    if (const auto found = names->find(name); found != names->end()) name = found->second;
+    if (const auto found = names.find(name); found != names.end()) name = found->second;
   };
   std::set<std::string> told;  // by the map
   for (auto& [edge, parts] : edges)
     for (EdgePart& part : parts)
-      if (part.now.piece == copy.id) told.insert(part.now.edge), rename(part.now.edge);
-  for (const auto& [was, now] : *names)
-    if (was != now && !told.contains(was)) edges[{copy.id, was}] = {{0, 1, {copy.id, now, 0, 1}}};
-  for (Edge& edge : copy.outline.edges) rename(edge.name);
-  for (Outline& hole : copy.holes)
+      if (part.now.piece == piece.id) told.insert(part.now.edge), rename(part.now.edge);
+  for (const auto& [was, now] : names)
+    if (was != now && !told.contains(was)) edges[{piece.id, was}] = {{0, 1, {piece.id, now, 0, 1}}};
+  for (Edge& edge : piece.outline.edges) rename(edge.name);
+  for (Outline& hole : piece.holes)
     for (Edge& edge : hole.edges) rename(edge.name);
-  for (Mark& mark : copy.marks) rename(mark.edge);
-  return true;
+  for (Mark& mark : piece.marks) rename(mark.edge);
+}
+
+std::vector<std::string> cutEdgesOf(const Piece& part, const Piece& whole, const EdgeMap& edges) {
+  std::set<std::string> old = edgeNames(whole);
+  for (const auto& [edge, parts] : edges)
+    for (const EdgePart& one : parts)
+      if (one.now.piece == part.id) old.insert(one.now.edge);
+  std::vector<std::string> made;
+  for (const Edge& edge : part.outline.edges)
+    if (!old.contains(edge.name)) made.push_back(edge.name);
+  // They were numbered along the line.
+  std::sort(made.begin(), made.end(),
+            [](const std::string& a, const std::string& b) { return std::pair(a.size(), a) < std::pair(b.size(), b); });
+  return made;
+}
+
+void nameCutEdges(Piece& part, const Piece& whole, EdgeMap& edges, const std::string& name) {
+  const std::vector<std::string> made = cutEdgesOf(part, whole, edges);
+  std::set<std::string> taken = edgeNames(part);
+  for (const std::string& edge : made) taken.erase(edge);
+  std::map<std::string, std::string> names;
+  for (const std::string& edge : made) names[edge] = freeName(name, taken);
+  for (Edge& edge : part.outline.edges)
+    if (const auto now = names.find(edge.name); now != names.end()) edge.name = now->second;
 }
 
 std::optional<EditedPiece> editedLikewise(const Piece& copy, const Piece& before, const EditedPiece& edit) {

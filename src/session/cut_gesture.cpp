@@ -39,7 +39,7 @@ class CutGesture : public Gesture {
     if (piece_ && line_.size() > 1) {
       const Piece* piece = context.snapshot->document.find(piece_);
       const auto second = [](std::size_t k) { return NewPart{{k + 1}, "second"}; };
-      const auto cut = piece ? cutAcrossDarts(context.snapshot->document.pattern, *piece, line_, second)
+      const auto cut = piece ? cutAcrossDarts(context.snapshot->document.pattern, *piece, line_, second, {}, {}, true)
                              : Result<CutAcross>(cancelled());
       if (!cut)
         why_ = cut.error().what;

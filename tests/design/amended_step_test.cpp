@@ -47,7 +47,7 @@ TEST_F(AmendedStep, PlaysWhatCameAfterItAgain) {
   const auto before = linesOf(file_);
   ASSERT_TRUE(file_.amend(4, *parseOperation("cut piece=p1 line=\"0.1,-0.01 0.1,0.2\""), room_.context));
   auto wanted = before;
-  wanted[3] = "cut piece=p1 line=\"100mm,-10mm; 100mm,200mm\" name=front_2";
+  wanted[3] = "cut piece=p1 line=\"100mm,-10mm; 100mm,200mm\" name=front_2 corners=yes";
   EXPECT_EQ(linesOf(file_), wanted);
   // The same as if it had been done so from the beginning.
   DocumentFile fresh = DocumentFile::inMemory();

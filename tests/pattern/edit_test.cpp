@@ -168,6 +168,29 @@ TEST(Cut, refusesWithTheReason) {
   EXPECT_NE(reason(cutPiece(piece, {{-0.1, 0.25}, {0.5, 0.25}}, {2}, "")).find("hole"), std::string::npos);
 }
 
+TEST(Cut, endsNearACornerGoToIt) {
+  Piece piece;
+  piece.id = {1}, piece.name = "front", piece.outline = rectangle(0.4, 0.5);
+  const auto cut = [&](std::vector<Flat> line) { return cutPiece(piece, std::move(line), {2}, "neck", {}, true); };
+  // A V from both upper corners, drawn some way beside them.
+  const auto v = cut({{0.3985, 0.5}, {0.2, 0.3}, {0.0012, 0.5}});
+  ASSERT_TRUE(v) << reason(v);
+  EXPECT_EQ(v->pieces[0].outline.edges.size(), 5u);
+  EXPECT_EQ(v->pieces[1].outline.edges.size(), 3u);
+  for (const Edge& edge : v->pieces[0].outline.edges) EXPECT_GT(edge.curve.length(), 0.2);
+  EXPECT_EQ(cutPiece(piece, {{0.3985, 0.5}, {0.2, 0.3}, {0.0012, 0.5}}, {2}, "neck")->pieces[0].outline.edges.size(),
+            7u);
+  // Farther away it was meant so.
+  EXPECT_EQ(cut({{0.396, 0.5}, {0.2, 0.3}, {-0.01, 0.4}})->pieces[0].outline.edges.size(), 6u);
+  // A strip of 2 mm off an edge stays one, and so does a corner's tip.
+  const auto strip = cut({{-0.01, 0.002}, {0.41, 0.002}});
+  ASSERT_TRUE(strip) << reason(strip);
+  EXPECT_NEAR(strip->pieces[1].outline.area(), 0.4 * 0.002, 1e-9);
+  const auto slit = cut({{0, 0.499}, {0.2, 0.3}});
+  ASSERT_TRUE(slit) << reason(slit);
+  EXPECT_EQ(slit->pieces[0].outline.edges.size(), 6u) << "a slit begins at the corner, too";
+}
+
 TEST(Cut, endsSnapAndSeamsFollow) {
   Pattern pattern = patternOf({pieceOf(1, rectangle(0.4, 0.5)), pieceOf(2, rectangle(0.4, 0.5, {1, 0}))});
   Seam side;

@@ -43,9 +43,10 @@ struct CutPieces {
 // banks are the same curves walked both ways. A line from edge to edge makes two pieces, whose cut edges have the same
 // names. Holes, marks, internal lines and the form go with the cloth they lie on; those of `sewnLines` are divided, and
 // are in `edges`. Refuses a line that does not reach the outline, crosses itself or a hole, or leaves the piece and
-// comes back.
+// comes back. `toCorners`: an end that meets the outline within 3 mm of a corner goes to the corner, unless the line
+// only takes a strip as thin off an edge.
 Result<CutPieces> cutPiece(const Piece& piece, std::vector<Flat> line, PieceId second, const std::string& secondName,
-                           const std::set<std::string>& sewnLines = {});
+                           const std::set<std::string>& sewnLines = {}, bool toCorners = false);
 
 // The same where the line may go across darts: through one leg it leaves the cloth, and it goes on from the place of
 // the other leg that is sewn to it. Across a dart that opens at an edge the piece falls in one part more; a dart with
@@ -67,7 +68,8 @@ struct CutAcross {
 // `keepLeft`: so it shall be; of stretches beyond its end the larger part keeps the id.
 Result<CutAcross> cutAcrossDarts(const Pattern& pattern, const Piece& piece, std::vector<Flat> line,
                                  const std::function<NewPart(std::size_t)>& newPart,
-                                 const std::set<std::string>& sewnLines = {}, const std::vector<bool>& keepLeft = {});
+                                 const std::set<std::string>& sewnLines = {}, const std::vector<bool>& keepLeft = {},
+                                 bool toCorners = false);
 // The seam of a dart that was cut across, in one seam for each pair of pieces; all have its id and name.
 std::vector<Seam> dividedDart(Seam seam, bool turned);
 

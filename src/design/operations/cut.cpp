@@ -141,7 +141,8 @@ Result<std::vector<std::string>> sidesKept(const Document& before, const CutPiec
   const auto newPart = [&](std::size_t k) {
     return NewPart{mint<PieceId>(before, static_cast<std::uint32_t>(k)), "part"};
   };
-  const auto across = cutAcrossDarts(before.pattern, whole, op.line, newPart, {}, leftKept(op));
+  const auto across =
+      cutAcrossDarts(before.pattern, whole, op.line, newPart, {}, leftKept(op), op.corners == Choice::Yes);
   if (!across) return across.error();
   if (Done done = dividesStill(op, *across, whole); !done) return done.error();
   std::vector<std::string> sides;
@@ -164,9 +165,9 @@ Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<
     for (int n = 2; !names.insert(name).second; ++n) name = op.name + "_" + std::to_string(n);
     return NewPart{mint<PieceId>(before, minted.pieces + static_cast<std::uint32_t>(k)), name};
   };
-  auto across =
-      cutAcrossDarts(before.pattern, whole, op.line, newPart,
-                     linesOfLattice(withElasticLines(before.pattern, before.allowances), whole), leftKept(op));
+  auto across = cutAcrossDarts(before.pattern, whole, op.line, newPart,
+                               linesOfLattice(withElasticLines(before.pattern, before.allowances), whole), leftKept(op),
+                               op.corners == Choice::Yes);
   if (!across) return across.error();
   CutPieces& cut = across->cut;
   if (Done done = dividesStill(op, *across, whole); !done) return done.error();
@@ -177,6 +178,8 @@ Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<
     });
     std::swap(cut.pieces[1].name, largest->name);
   }
+  if (!op.edge.empty())
+    for (Piece& part : cut.pieces) nameCutEdges(part, whole, cut.edges, op.edge);
   arrangeLike(cut, likewise);
   Document after = before;
   updateSeams(after.pattern, cut.edges);
@@ -212,10 +215,13 @@ Done resolve(const Document& before, CutPiece& op, Context& context) {
     op.name = usableName(before, before.find(op.piece.id)->name);
   else if (Done done = checkNewName(before, op.name); !done)
     return done;
+  if (!op.edge.empty())
+    if (Done done = checkEdgeName(op.edge); !done) return done;
   for (const std::string& side : op.keeps)
     if (side != "left" && side != "right")
       return refused(say("The side of a cut's line is left or right, as the line runs, not “{0}”.", side));
   if (context.recorded) return {};
+  if (op.corners == Choice::Auto) op.corners = Choice::Yes;
   auto sides = sidesKept(before, op);
   if (!sides) return sides.error();
   op.keeps = std::move(*sides);

@@ -1,15 +1,36 @@
 #include "design/operations/copied_joins.h"
+#include "karinui/pattern/likeness.h"
 
 namespace karinui {
 
 namespace {
 
+// An edge of which the part has one bit, called by the whole edge's name.
+void nameAsWhole(Piece& part, EdgeMap& edges) {
+  std::map<std::string, std::string> names;
+  for (const auto& [edge, parts] : edges) {
+    std::vector<std::string> here;
+    for (const EdgePart& one : parts)
+      if (one.now.piece == part.id) here.push_back(one.now.edge);
+    if (here.size() == 1 && here.front() != edge.second && !findEdge(part, edge.second))
+      names[here.front()] = edge.second;
+  }
+  renameEdges(part, edges, names);
+}
+
 // The part of the piece on one side of the line, standing where it stands in the whole.
-Result<Piece> partOf(const Piece& whole, const DuplicatePiece& op, Grading& grading) {
-  const auto cut = cutPiece(whole, op.line, madeBy<PieceId>(1, 0), "part");
+Result<Piece> partOf(const Document& before, const DuplicatePiece& op, Grading& grading) {
+  const Piece& whole = *before.find(op.piece.id);
+  // Records of old took a number for the other part that may be the piece's own, and lead where that led.
+  const PieceId other = op.named == Choice::Yes ? mint<PieceId>(before, 0) : madeBy<PieceId>(1, 0);
+  auto cut = cutPiece(whole, op.line, other, "part", {}, op.corners == Choice::Yes);
   if (!cut) return cut.error();
   if (cut->pieces.size() < 2)
     return refused(say("That line divides nothing off “{0}”; it must run from edge to edge.", whole.name));
+  for (Piece& part : cut->pieces) {
+    if (op.named == Choice::Yes) nameAsWhole(part, cut->edges);
+    if (!op.edge.empty()) nameCutEdges(part, whole, cut->edges, op.edge);
+  }
   updateGrading(grading, whole, cut->edges, {&cut->pieces[0], &cut->pieces[1]});
   if (!op.part) return cut->pieces[1];
   for (const Piece& piece : cut->pieces)
@@ -21,6 +42,10 @@ Result<Piece> partOf(const Piece& whole, const DuplicatePiece& op, Grading& grad
 
 Done resolve(const Document& before, DuplicatePiece& op, Context& context) {
   if (Done done = resolve(before, op.piece); !done) return done;
+  if (!op.line.empty() && op.corners == Choice::Auto && !context.recorded) op.corners = Choice::Yes;
+  if (!op.line.empty() && op.named == Choice::Auto && !context.recorded) op.named = Choice::Yes;
+  if (!op.edge.empty())
+    if (Done done = checkEdgeName(op.edge); !done) return done;
   if (op.line.empty()) decideSeamsWithin(before, op.piece.id, op.seams, context);
   if (op.name.empty()) op.name = usableName(before, before.find(op.piece.id)->name);
   if (!(length(op.by) <= 100)) return refused(say("A piece is moved by at most {0} m.", 100));
@@ -33,7 +58,7 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
   Piece copy = *before.find(op.piece.id);
   Grading grading = before.grading;
   if (!op.line.empty()) {
-    auto part = partOf(copy, op, grading);
+    auto part = partOf(before, op, grading);
     if (!part) return part.error();
     copy = *std::move(part);
   }

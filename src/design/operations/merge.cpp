@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "design/formula/links.h"
 #include "design/operations/merged.h"
 #include "design/operations/new_piece.h"
 #include "design/operations/seam_parts.h"
@@ -39,13 +40,15 @@ Result<MergedPieces> mergedIn(const Document& before, const MergePieces& op, std
 }
 
 // The differences of the whole are measured between the merged pieces of all sizes.
-Done gradeMerged(const Document& before, Document& after, const MergePieces& op) {
+Done gradeMerged(const Document& before, Document& after, const MergePieces& op,
+                 const std::map<std::string, std::string>& names) {
   const PieceId a = op.a.front().piece.id, b = op.b.front().piece.id;
   if (!before.grading.pieces.contains(a) && !before.grading.pieces.contains(b)) return {};
   std::vector<Outline> sizes;
   for (std::size_t size = 0; size < before.grading.sizes.size(); ++size) {
-    const auto merged = mergedIn(before, op, size);
+    auto merged = mergedIn(before, op, size);
     if (!merged) return refused(say("In size {0}: {1}", before.grading.sizes[size], merged.error().what));
+    renameEdges(merged->piece, merged->edges, names);
     sizes.push_back(merged->piece.outline);
   }
   auto measured = measuredGrading(sizes, before.grading.base);
@@ -53,6 +56,45 @@ Done gradeMerged(const Document& before, Document& after, const MergePieces& op)
   after.grading.pieces[a] = *std::move(measured);
   after.grading.pieces.erase(b);
   return {};
+}
+
+bool oneBodysHalves(const Document& before, const MergePieces& op) {
+  const Piece &a = *before.find(op.a.front().piece.id), &b = *before.find(op.b.front().piece.id);
+  return a.mirrorOf == b.id || b.mirrorOf == a.id;
+}
+
+// The wearer's side that a piece's name tells.
+std::string_view sideTold(const std::string& name) {
+  for (const std::string_view side : {"left", "right"}) {
+    const std::string in(side);
+    if (name.starts_with(in + "_") || name.find("_" + in) != std::string::npos) return side;
+  }
+  return {};
+}
+
+// "side" on the left is "side_left", "side_2" is "side_left_2".
+std::string onSide(const std::string& edge, std::string_view side) {
+  const std::size_t last = edge.find_last_not_of("0123456789");
+  const std::size_t at =
+      last != std::string::npos && last + 1 < edge.size() && last > 0 && edge[last] == '_' ? last : edge.size();
+  return edge.substr(0, at) + "_" + std::string(side) + edge.substr(at);
+}
+
+// What edges of the whole are called that both halves have: by their side. Nothing where no name tells the side.
+std::map<std::string, std::string> namesBySide(const Piece& a, const Piece& b, const MergedPieces& made) {
+  const std::string_view own = sideTold(a.name), other = sideTold(b.name);
+  std::map<std::string, std::string> names;
+  if (own.empty() || other.empty() || own == other) return names;
+  std::set<std::string> taken;
+  for (const Edge& edge : made.piece.outline.edges) taken.insert(edge.name);
+  for (const Edge& edge : a.outline.edges) {
+    const auto at = made.edges.find({b.id, edge.name});
+    if (at == made.edges.end() || at->second.empty() || !made.piece.outline.find(edge.name)) continue;
+    const std::string mine = onSide(edge.name, own), its = onSide(edge.name, other);
+    if (taken.contains(mine) || taken.contains(its)) continue;
+    names[edge.name] = mine, names[at->second.front().now.edge] = its;
+  }
+  return names;
 }
 
 bool meetInSpace(const Piece& a, const Piece& b, const MergePieces& op) {
@@ -124,7 +166,7 @@ void tellWhole(const Document& before, const Piece& a, const Context& context) {
 void tellMerged(const Document& before, const MergePieces& op, const PaperMove& move, const Context& context) {
   if (!context.advise) return;
   const Piece &a = *before.find(op.a.front().piece.id), &b = *before.find(op.b.front().piece.id);
-  if (a.mirrorOf == b.id || b.mirrorOf == a.id)
+  if (oneBodysHalves(before, op))
     tellWhole(before, a, context);
   else if (op.copies != Choice::Yes)
     tellUnlike(before, a, context);
@@ -207,6 +249,10 @@ Result<Document> merged(const Document& before, const MergePieces& op, const Pie
   auto made = mergePieces(*before.find(a), namesOf(op.a), *before.find(b), namesOf(op.b));
   if (!made) return made.error();
   if (likewise) nameLikeImage(made->piece, made->edges, *likewise);
+  std::map<std::string, std::string> names;
+  if (op.sides == Choice::Yes && oneBodysHalves(before, op))
+    names = namesBySide(*before.find(a), *before.find(b), *made);
+  renameEdges(made->piece, made->edges, names);
   tellMerged(before, op, made->move, context);
   Document after = before;
   const OnSpan gone = [&](const EdgeSpan& span) { return on(op.a)(span) || on(op.b)(span); };
@@ -231,12 +277,15 @@ Result<Document> merged(const Document& before, const MergePieces& op, const Pie
     piece.mirrorOf = PieceId();
     shared = std::make_shared<const Piece>(std::move(piece));
   }
-  if (Done done = gradeMerged(before, after, op); !done) return done.error();
+  for (const Edge& edge : before.find(a)->outline.edges)
+    if (const auto now = names.find(edge.name); now != names.end()) renameInFormulas(after, a, edge.name, now->second);
+  if (Done done = gradeMerged(before, after, op, names); !done) return done.error();
   return after;
 }
 
 Done resolve(const Document& before, MergePieces& op, Context& context) {
   if (Done done = resolveRuns(before, op, context); !done) return done;
+  if (op.sides == Choice::Auto && !context.recorded && oneBodysHalves(before, op)) op.sides = Choice::Yes;
   if (op.copies == Choice::Auto && context.recorded) return {};
   const bool some = !onCopies(before, op, context).empty();
   if (!some && op.copies == Choice::Yes && !context.recorded && !context.byFormula)

@@ -138,6 +138,8 @@ Done resolveSymmetric(const Piece& piece, Choice& symmetric, Context& context,
 Done resolveWhole(const Document& before, std::vector<EdgeRef>& edges, Choice symmetric, Context& context);
 // A fabric a piece may be cut from exists: one of the document or a preset.
 Done checkFabricName(const Document& document, const std::string& name);
+// What an edge may be called.
+Done checkEdgeName(const std::string& name);
 // The name a new piece gets: as asked, if it is good and free.
 Done checkNewName(const Document& document, const std::string& name);
 // The document after a drape: new forms, poses at rest, the report kept, the pieces no longer dirty.

@@ -6,13 +6,18 @@
 
 namespace karinui {
 
-namespace {
-
-Done checkEdgeName(const Piece& piece, const std::string& name) {
+Done checkEdgeName(const std::string& name) {
   const bool plain = !name.empty() && name.size() <= 60 && std::all_of(name.begin(), name.end(), [](unsigned char c) {
     return c < 0x80 && (std::isalnum(c) != 0 || c == '_' || c == '-');
   });
   if (!plain) return refused(say("“{0}” cannot name an edge; use letters a to z, digits, _ and -.", name));
+  return {};
+}
+
+namespace {
+
+Done checkOwnEdge(const Piece& piece, const std::string& name) {
+  if (Done done = checkEdgeName(name); !done) return done;
   if (piece.outline.find(name)) return refused(say("“{0}” already has an edge “{1}”.", piece.name, name));
   return {};
 }
@@ -56,9 +61,9 @@ Done resolve(const Document& before, Rename& op, Context& context) {
     if (op.edge->edge == op.to) return {};
     const bool left = op.copies == Choice::Auto;
     if (Done done = resolveCopies(before, {op.edge->piece}, op.copies, context); !done) return done;
-    if (Done done = checkEdgeName(*before.find(op.edge->piece.id), op.to); !done) return done;
+    if (Done done = checkOwnEdge(*before.find(op.edge->piece.id), op.to); !done) return done;
     for (const PieceId copy : copiesMeant(before, op.edge->piece.id, op.copies)) {
-      const Done fine = checkEdgeName(*before.find(copy), otherSide(op.to));
+      const Done fine = checkOwnEdge(*before.find(copy), otherSide(op.to));
       if (!fine && !left) return fine;
       if (!fine) op.copies = Choice::No;
     }

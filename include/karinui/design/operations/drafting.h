@@ -135,6 +135,9 @@ struct DuplicatePiece {
   std::vector<Flat> line;
   std::optional<Flat> part;
   Choice seams = Choice::Auto;
+  Choice corners = Choice::Auto;
+  std::string edge;
+  Choice named = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to copy", kNeeded);
@@ -143,6 +146,12 @@ struct DuplicatePiece {
     visit("line", self.line, "a line on the paper, from edge to edge, that divides off the part to copy", kOptional);
     visit("part", self.part, "a place on the paper in the part to copy (otherwise the smaller part)", kOptional);
     visit("seams", self.seams, kSeamsWithinHelp, kOptional);
+    visit("corners", self.corners, kCornersHelp, kOptional);
+    visit("edge", self.edge, kCutEdgeHelp, kOptional);
+    visit("named", self.named,
+          "an edge of which the part has one bit is called as the whole edge: auto, yes, no (auto: yes, but no in a "
+          "record that does not have it)",
+          kOptional);
   }
   bool operator==(const DuplicatePiece&) const = default;
 };

@@ -39,6 +39,10 @@ inline constexpr std::string_view kOverHelp =
 inline constexpr std::string_view kSeamsWithinHelp =
     "the seams within the piece too, as those of its darts: auto, yes, no (auto: yes, but no in a record that does not "
     "have it)";
+inline constexpr std::string_view kCornersHelp =
+    "an end of the line within 3 mm of a corner goes to the corner: auto, yes, no (auto: yes, but no in a record that "
+    "does not have it)";
+inline constexpr std::string_view kCutEdgeHelp = "what the edges along the line are called (otherwise cut)";
 inline constexpr std::string_view kEasesHelp =
     "what is declared as ease of a seam is of its copy too: auto, yes, no (auto: yes, but no in a record that does not "
     "have it)";

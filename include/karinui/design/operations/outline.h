@@ -25,6 +25,8 @@ struct CutPiece {
   std::string name;
   Choice copies = Choice::Auto;
   std::vector<std::string> keeps;
+  Choice corners = Choice::Auto;
+  std::string edge;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to cut", kNeeded);
@@ -37,6 +39,8 @@ struct CutPiece {
           "which side of the line keeps the piece's name: left or right, as the line runs (otherwise the larger part); "
           "where it goes across darts, for each stretch between them",
           kOptional);
+    visit("corners", self.corners, kCornersHelp, kOptional);
+    visit("edge", self.edge, kCutEdgeHelp, kOptional);
   }
   bool operator==(const CutPiece&) const = default;
 };
@@ -181,12 +185,17 @@ struct MergePieces {
   static constexpr bool kDisturbsDrape = true;
   std::vector<EdgeRef> a, b;
   Choice copies = Choice::Auto;
+  Choice sides = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("a", self.a, "the edge, or the run of edges, of the piece that stays where it lies", kNeeded);
     visit("b", self.b, "that of the piece that is laid against it and becomes a part of it", kNeeded);
     visit("copies", self.copies,
           "the symmetric copies of both, too, to each other: auto, yes, no (auto: if they are still alike)", kOptional);
+    visit("sides", self.sides,
+          "edges that a piece and its symmetric copy both have are called left and right: side_left, side_right; auto, "
+          "yes, no (auto: yes, but no in a record that does not have it)",
+          kOptional);
   }
   bool operator==(const MergePieces&) const = default;
 };
