@@ -17,6 +17,19 @@ std::optional<PaperDart> dartWith(const Document& document, const EdgeRef& side)
   return std::nullopt;
 }
 
+// The other half's edge that was meant where a dart and the edge it is moved to lie on different halves of the piece,
+// and both halves are to be changed alike: two such cuts would cross on the centre. Nothing: they lie on one half.
+std::optional<std::string> edgeOnItsHalf(const Outline& outline, const PaperDart& dart, const EdgeRef& to, double at) {
+  const auto symmetry = symmetryOf(outline);
+  if (!symmetry) return std::nullopt;
+  const auto side = [&](Flat place) { return cross(symmetry->axis, place - symmetry->through); };
+  const std::size_t edge = *outline.find(to.edge);
+  const Flat place = outline.edges[edge].curve.atFraction(at), mouth = outline.edges[dart.to].curve.start;
+  const auto partner = symmetry->partner[edge];
+  if (side(place) * side(mouth) >= 0 || !partner || *partner == edge) return std::nullopt;
+  return outline.edges[*partner].name;
+}
+
 // What lies within the copy goes along there as it does within the piece.
 Result<Document> withTurnedCopies(Document after, const Document& before, const EdgeRef& dart, const EdgeRef& to,
                                   double at) {
@@ -56,11 +69,22 @@ Done resolve(const Document& before, PivotDart& op, Context& context) {
   if (!dart) return refused(say("“{0}” of {1} is no side of a dart.", op.dart.edge, piece.name));
   op.dart.edge = piece.outline.edges[dart->to].name;
   if (!piece.outline.find(op.to.edge)) return refused(say("A dart is moved to another edge of its own piece."));
-  return resolveSymmetric(piece, op.symmetric, context, [&](const PaperSymmetry& symmetry) {
-    const auto other = symmetry.partner[dart->back];
-    return other && *other != dart->to &&
-           imageOf(piece.outline, symmetry, {*piece.outline.find(op.to.edge), op.at}).has_value();
-  });
+  if (Done done = resolveSymmetric(
+          piece, op.symmetric, context,
+          [&](const PaperSymmetry& symmetry) {
+            const auto other = symmetry.partner[dart->back];
+            return other && *other != dart->to &&
+                   imageOf(piece.outline, symmetry, {*piece.outline.find(op.to.edge), op.at}).has_value();
+          });
+      !done)
+    return done;
+  if (op.symmetric == Choice::Yes && !context.recorded)
+    if (const auto meant = edgeOnItsHalf(piece.outline, *dart, op.to, op.at))
+      return refused(
+          say("“{0}” lies on the other half of “{1}” than the dart, and both halves are changed alike; write "
+              "to={1}.{2}, or symmetric=no for one alone.",
+              op.to.edge, piece.name, *meant));
+  return {};
 }
 
 Result<Document> perform(const Document& before, const PivotDart& op, Context&) {
