@@ -72,7 +72,8 @@ TEST(StudioBeside, AnotherFabricIsDrapedBesideAndFollowsWhatIsDone) {
   w.session().perform(CutPiece{.piece = PieceRef(w.session().snapshot().document.pieceNamed("front")->id),
                                .line = {{0.03, -0.05}, {0.03, 0.15}},
                                .name = "",
-                               .keeps = {}});
+                               .keeps = {},
+                               .edge = {}});
   await(w);
   EXPECT_NE(beside.fitting(), before);
   EXPECT_EQ(hash(beside.fitting()->document).size(), hash(before->document).size());

@@ -104,7 +104,8 @@ TEST(StudioFit, TwoStatesStandSideBySide) {
   w.session().perform(CutPiece{.piece = PieceRef(w.session().snapshot().document.pieceNamed("front")->id),
                                .line = {{0.03, -0.05}, {0.03, 0.15}},
                                .name = "",
-                               .keeps = {}});
+                               .keeps = {},
+                               .edge = {}});
   w.rest();
   QComboBox* beside = nullptr;
   for (QComboBox* one : w.main().findChildren<QComboBox*>())
