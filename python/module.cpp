@@ -316,7 +316,13 @@ class PythonDocument {
     py::list all;
     for (const FitInPose& fit : fits) {
       py::dict d, slid;
-      d["pose"] = fit.name, d["settled"] = fit.settled, d["strain"] = strainDict(fit.strain);
+      d["pose"] = fit.name, d["settled"] = fit.settled;
+      if (fit.refused) {
+        d["refused"] = text(*fit.refused);
+        all.append(d);
+        continue;
+      }
+      d["strain"] = strainDict(fit.strain);
       if (fit.pressure) d["pressure_mean_pa"] = fit.pressure->mean, d["pressure_p99_pa"] = fit.pressure->p99;
       for (std::size_t k = 0; k < fit.slid.size(); ++k)
         if (fit.slid[k]) slid[kEdges[k]] = *fit.slid[k];

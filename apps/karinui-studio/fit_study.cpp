@@ -270,7 +270,7 @@ void FitStudy::take(const Result<std::string>& table) {
     draw();
   } else {
     tell(stopped ? say("Stopped; the table has what was ready.") : table.error().what);
-    if (stopped) draw();
+    draw();
   }
   enable();
   emit finished();

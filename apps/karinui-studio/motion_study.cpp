@@ -20,6 +20,11 @@ StudyItem motionItem(const FitInPose& fit) {
   const auto kilo = [](double pascals) { return motionCell(fixed(pascals / 1000, 2) + " kPa"); };
   StudyItem item;
   item.name = fit.said;
+  if (fit.refused) {
+    item.cells.push_back(say("cannot be taken"));
+    item.below.push_back(*fit.refused), item.marked = true;
+    return item;
+  }
   item.cells = {percent(fit.strain.mean), percent(fit.strain.p99), percent(fit.strain.max),
                 fit.pressure ? kilo(fit.pressure->mean) : motionCell("–"),
                 fit.pressure ? kilo(fit.pressure->p99) : motionCell("–")};
@@ -75,6 +80,8 @@ void MotionStudy::saveAnimation(const std::string& file) {
 }
 
 Message MotionStudy::faulty(std::size_t many) const {
+  for (const StudyItem& item : items())
+    if (!item.garment) return say("Done, but: {0}", item.below.front());
   return say("Done; {0} of {1} did not come to rest.", many, items().size());
 }
 

@@ -43,8 +43,9 @@ int answerPoses(OpenDocument& opened, const CheckOptions& options) {
   Json object = motionJson(*fits);
   if (!options.sheet.empty()) object["file"] = options.sheet;
   console.answer(object, motionWords(*fits, console));
-  return std::all_of(fits->begin(), fits->end(), [](const FitInPose& fit) { return fit.settled; }) ? kDone
-                                                                                                   : kNotSettled;
+  const auto any = [&](const auto& what) { return std::any_of(fits->begin(), fits->end(), what); };
+  if (any([](const FitInPose& fit) { return fit.refused.has_value(); })) return kRefused;
+  return any([](const FitInPose& fit) { return !fit.settled; }) ? kNotSettled : kDone;
 }
 
 int answerCheck(Program& program, const CheckOptions& options) {

@@ -30,25 +30,32 @@ std::string motionWords(const std::vector<FitInPose>& fits, const Console& conso
   table.row(head);
   bool unsettled = false;
   for (const FitInPose& fit : fits) {
-    std::vector<std::string> row{said(fit.said) + (fit.settled ? "" : " *"),
-                                 percent(fit.strain.mean),
-                                 percent(fit.strain.p99),
-                                 percent(fit.strain.max),
+    const auto share = [&](double value) { return fit.refused ? "–" : percent(value); };
+    std::vector<std::string> row{said(fit.said) + (fit.settled || fit.refused ? "" : " *"),
+                                 share(fit.strain.mean),
+                                 share(fit.strain.p99),
+                                 share(fit.strain.max),
                                  fit.pressure ? kilopascals(fit.pressure->mean) : "–",
                                  fit.pressure ? kilopascals(fit.pressure->p99) : "–"};
     for (const auto& slid : fit.slid) row.push_back(slidWords(slid));
     table.row(row);
-    unsettled = unsettled || !fit.settled;
+    unsettled = unsettled || (!fit.settled && !fit.refused);
   }
   std::string words = said(say("Fit in motion; how far open edges slide over the skin, up or towards the trunk:")) +
                       "\n" + table.words(2);
   if (unsettled) words += said(say("* did not come to rest in this pose.")) + "\n";
+  for (const FitInPose& fit : fits)
+    if (fit.refused) words += said(*fit.refused) + "\n";
   return words;
 }
 
 Json motionJson(const std::vector<FitInPose>& fits) {
   Json all = Json::array();
   for (const FitInPose& fit : fits) {
+    if (fit.refused) {
+      all.push_back({{"pose", fit.name}, {"settled", false}, {"refused", text(*fit.refused)}});
+      continue;
+    }
     Json one = {{"pose", fit.name},
                 {"settled", fit.settled},
                 {"strain_mean", fit.strain.mean},
@@ -71,6 +78,7 @@ Result<Image> motionSheet(OpenDocument& opened, const std::vector<FitInPose>& fi
   const Prints prints = opened.prints();
   std::vector<SheetItem> items;
   for (const FitInPose& fit : fits) {
+    if (fit.refused) continue;
     const Result<SceneFrame> frame = sceneOf(fit.document, fit.body.get(), prints);
     if (!frame) return frame.error();
     Image both(2 * kWide, kHigh);

@@ -127,6 +127,13 @@ Result<ReportTable> motionTable(OpenDocument& opened, const std::vector<std::str
   for (const OpenEdge edge : kOpenEdges) table.columns.push_back(openEdgeSaid(edge));
   const auto kilo = [](double pascals) { return words(fixed(pascals / 1000, 2) + " kPa"); };
   for (const FitInPose& fit : *fits) {
+    if (fit.refused) {
+      std::vector<Message> cells(table.columns.size(), words("–"));
+      cells[0] = say("{0}: cannot be taken", fit.said);
+      table.rows.push_back(std::move(cells));
+      opened.program().console.note(*fit.refused);
+      continue;
+    }
     std::vector<Message> cells{fit.said, percentSaid(fit.strain.mean), percentSaid(fit.strain.p99),
                                fit.pressure ? kilo(fit.pressure->mean) : words("–"),
                                fit.pressure ? kilo(fit.pressure->p99) : words("–")};

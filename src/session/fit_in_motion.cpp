@@ -108,6 +108,14 @@ Result<FitInPose> measured(Document document, Context& context) {
   return fit;
 }
 
+Result<FitInPose> posed(const Document& start, const std::string& pose, Context& context) {
+  auto carried = apply(start, poseStep(pose), context);
+  if (!carried) return carried.error();
+  auto now = rested(*std::move(carried), context);
+  if (!now) return now.error();
+  return measured(*std::move(now), context);
+}
+
 // How far the edges slid over the skin since the first pose.
 void slide(FitInPose& fit, const EdgePlaces& edges, const Body& body) {
   const TriangleMesh& own = body.mesh();
@@ -159,18 +167,19 @@ Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::
   const EdgePlaces edges = openEdges(*first, **skeleton);
   const Body& body = first->body->own();
   const auto add = [&](FitInPose fit) {
-    slide(fit, edges, body);
+    if (!fit.refused) slide(fit, edges, body);
     fits.push_back(std::move(fit));
     if (each) each(fits.back());
   };
   add(*std::move(first));
   for (const std::string& name : poses) {
-    auto carried = apply(*start, poseStep(name), context);
-    if (!carried) return carried.error();
-    auto now = rested(*std::move(carried), context);
-    if (!now) return now.error();
-    auto fit = measured(*std::move(now), context);
-    if (!fit) return fit.error();
+    auto fit = posed(*start, name, context);
+    if (!fit && fit.error().hindered()) return fit.error();
+    if (!fit) {
+      FitInPose none;
+      none.refused = fit.error().what;
+      fit = std::move(none);
+    }
     fit->name = name, fit->said = namedPose(name)->said;
     add(*std::move(fit));
   }
@@ -182,16 +191,19 @@ std::string csvOf(const std::vector<FitInPose>& fits) {
   std::vector<std::string> head{"pose",       "settled",          "strain_mean",    "strain_p99",
                                 "strain_max", "pressure_mean_pa", "pressure_p99_pa"};
   head.insert(head.end(), kEdges.begin(), kEdges.end());
+  head.push_back("refused");
   std::string csv = csvRow(head);
   for (const FitInPose& fit : fits) {
+    const auto number = [&](double value) { return fit.refused ? "" : shortest(value); };
     std::vector<std::string> row{fit.name,
                                  fit.settled ? "yes" : "no",
-                                 shortest(fit.strain.mean),
-                                 shortest(fit.strain.p99),
-                                 shortest(fit.strain.max),
+                                 number(fit.strain.mean),
+                                 number(fit.strain.p99),
+                                 number(fit.strain.max),
                                  fit.pressure ? shortest(fit.pressure->mean) : "",
                                  fit.pressure ? shortest(fit.pressure->p99) : ""};
     for (const auto& slid : fit.slid) row.push_back(slid ? shortest(*slid) : "");
+    row.push_back(fit.refused ? text(*fit.refused) : "");
     csv += csvRow(row);
   }
   return csv;

@@ -90,6 +90,29 @@ TEST(FitInMotion, TellsHowFarOpenEdgesSlideOverTheSkin) {
   }
 }
 
+// A pose that one figure cannot take says so in its place; what was worked out for the others is not lost.
+TEST(FitInMotion, APoseThatCannotBeTakenIsToldBesideTheOthers) {
+  Fitting fitting;
+  const auto figure =
+      parseOperation("body sex=female set=\"height=168cm; bust_girth=94cm; waist_girth=76cm; hip_girth=101cm\"");
+  ASSERT_TRUE(figure);
+  const auto tunic = apply(fitting.tunic(), *figure, fitting.context);
+  ASSERT_TRUE(tunic) << text(tunic.error().what);
+  std::vector<std::string> told;
+  const auto fits =
+      fitInMotion(*tunic, {"seated", "T"}, fitting.context, [&](const FitInPose& fit) { told.push_back(fit.name); });
+  ASSERT_TRUE(fits) << text(fits.error().what);
+  ASSERT_EQ(fits->size(), 3u);
+  ASSERT_TRUE(fits->at(1).refused);
+  EXPECT_NE(text(*fits->at(1).refused).find("Seated"), std::string::npos);
+  EXPECT_FALSE(fits->at(2).refused);
+  EXPECT_TRUE(fits->at(2).garment);
+  EXPECT_EQ(told, (std::vector<std::string>{"", "seated", "T"}));
+  const std::string csv = csvOf(*fits);
+  EXPECT_NE(csv.find("seated,no,,,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("flesh"), std::string::npos) << csv;
+}
+
 TEST(FitInMotion, RefusesBeforeTheLongWork) {
   Fitting fitting;
   const auto unknown = fitInMotion(fitting.tunic(), {"T", "cartwheel"}, fitting.context);

@@ -19,7 +19,8 @@ Message openEdgeSaid(OpenEdge edge);
 struct FitInPose {
   std::string name;  // of the pose; empty: as the garment stands now
   Message said;
-  Document document;  // the garment at rest in it
+  std::optional<Message> refused;  // why this figure cannot take the pose, or the garment not follow; then only this
+  Document document;               // the garment at rest in it
   BodyPtr body;
   bool settled = false;
   StrainReport strain;
@@ -31,8 +32,8 @@ struct FitInPose {
   std::array<std::optional<double>, kOpenEdges.size()> slid{};
 };
 
-// The garment as it stands now, brought to rest if it is not, and then in each pose. Refused: no body, a pose that does
-// not exist or that the figure cannot take.
+// The garment as it stands now, brought to rest if it is not, and then in each pose. Refused: no body, or a pose that
+// does not exist. A pose that this figure cannot take is told as one, and the others are looked at all the same.
 // `each` is told of every pose that is ready, on the caller's thread.
 Result<std::vector<FitInPose>> fitInMotion(const Document& document, const std::vector<std::string>& poses,
                                            Context& context, const std::function<void(const FitInPose&)>& each = {});
