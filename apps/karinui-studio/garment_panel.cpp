@@ -27,6 +27,7 @@
 #include "length_choice.h"
 #include "look_board.h"
 #include "panels.h"
+#include "take_in_board.h"
 #include "theme.h"
 #include "variables_dialog.h"
 
@@ -155,8 +156,7 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   takeIn_ = new LengthBox(say("Take in"), -0.5, 0.5);
   Theme::here().keep(takeIn_, [this] {
     takeIn_->setToolTip(
-        inWords(say("Carries the edge in by so much, square to it, on both halves, and the edges sewn to it; less than "
-                    "nothing lets it out.")));
+        inWords(say("Carries the edge in by so much, square to it, on both halves; less than nothing lets it out.")));
   });
   u_ = new LengthBox(say("From, across"), -5, 5);
   v_ = new LengthBox(say("From, up"), -5, 5);
@@ -166,6 +166,8 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   form->addRow(word(say("Name")), edgeName_);
   stays_ = new LengthChoice(session);
   form->addRow(word(say("Take in")), takeIn_);
+  takenIn_ = new TakeInBoard(session);
+  form->addRow(takenIn_);
   form->addRow(word(say("Length")), length_);
   form->addRow(stays_);
   form->addRow(word(say("From, across")), u_);
@@ -286,14 +288,9 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
     });
 }
 
-// Seam and partner alike: a centimetre at the side is one off the front and one off the back.
 void GarmentPanel::takeIn(const std::string& formula, double metres) {
   if (filling_ || !session_.selection().edge || metres == 0) return;
-  const EdgeNear& chosen = *session_.selection().edge;
-  TakeIn op;
-  op.edges = {{chosen.piece, chosen.edge, 0, 1}};
-  op.by = Length{metres};
-  Operation step = std::move(op);
+  Operation step = takenIn_->takeIn(metres);
   if (!formula.empty()) step.formulas = {{"by", formula}};
   session_.perform(std::move(step));
 }
@@ -469,6 +466,7 @@ void GarmentPanel::fillProperties() {
       showName(*edgeName_, edge->name, inWords(edgeNameSaid(document, *piece, edge->name)));
       length_->setMetres(edge->curve.length());
       takeIn_->setMetres(0);
+      takenIn_->refresh();
       stays_->refresh();
       allowance_->refresh();
       u_->setMetres(edge->curve.start.u);

@@ -29,6 +29,7 @@ namespace karinui::studio {
 class FabricPlot;
 class LengthBox;
 class LengthChoice;
+class TakeInBoard;
 class LookBoard;
 class AllowanceBoard;
 class CutBoard;
@@ -82,6 +83,7 @@ class GarmentPanel : public Panel {
   LookBoard* look_;
   QLineEdit* edgeName_;
   LengthBox *length_, *takeIn_, *u_, *v_;
+  TakeInBoard* takenIn_;
   LengthChoice* stays_;
   AllowanceBoard* allowance_;
   CutBoard* cut_;

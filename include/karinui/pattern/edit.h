@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "karinui/pattern/piece.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -148,6 +149,26 @@ Result<Piece> moveCorner(const Piece& piece, std::string_view edge, Flat to);
 // which come to stand on tenths of a millimetre; its neighbours follow as with moveCorner.
 // `whole`: a chain of cubics goes as a whole, and not its ends alone.
 Result<Piece> moveEdge(const Piece& piece, std::string_view edge, double by, bool whole = true);
+
+// How far of a measure goes where along an edge: all of it at `most`, running out smoothly to nothing at `from` and at
+// `to`; all of it from the end on where `most` is that end. Shares of the edge's length, from <= most <= to; beyond 0
+// and 1 where the edge is a part of what runs out so.
+struct Taper {
+  double from = 0, most = 0.5, to = 1;
+  double share(double at) const;
+  double slope(double at) const;
+  Taper reversed() const { return {1 - to, 1 - most, 1 - from}; }
+  bool operator==(const Taper&) const = default;
+};
+// Several edges of the outline carried in at once, each square to the line between its ends; chains of cubics go as a
+// whole. A corner between two of them goes as far from both. Their ends come to stand on tenths of a millimetre, other
+// edges follow as with moveCorner. With a symmetry the edges of both halves are named, and stay each other's image.
+struct EdgeCarry {
+  std::string edge;
+  double by = 0;               // metres into the piece
+  std::optional<Taper> taper;  // none: all of the edge as far
+};
+Result<Piece> carryEdges(const Piece& piece, const std::vector<EdgeCarry>& carries, const PaperSymmetry* symmetry);
 
 // Another outline for a piece; it must name the same edges in the same order (round the curve), so that all seams hold.
 Result<Piece> reshaped(const Piece& piece, Outline outline);

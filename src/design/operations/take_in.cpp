@@ -5,25 +5,29 @@
 
 #include "design/operations/operations.h"
 #include "karinui/base/number.h"
+#include "karinui/design/step_words.h"
+#include "karinui/pattern/likeness.h"
 
 namespace karinui {
 
 namespace {
 
-constexpr double kMost = 0.5;  // metres
+constexpr double kMostTakenIn = 0.5;  // metres
+constexpr double kAtAnEnd = 1e-3;     // metres: nearer to an end than this is the end
+constexpr double kSameShare = 1e-6;
 
-using Named = std::pair<PieceId, std::string>;
+using TakenEdge = std::pair<PieceId, std::string>;
 
-bool lies(const EdgeSpan& span, const Named& edge) { return span.piece == edge.first && span.edge == edge.second; }
+bool lies(const EdgeSpan& span, const TakenEdge& edge) { return span.piece == edge.first && span.edge == edge.second; }
 
 // Those of the operation, each followed by what it is sewn to.
-std::vector<Named> meant(const Document& document, const TakeIn& op) {
-  std::vector<Named> all;
-  const auto add = [&](const Named& edge) {
+std::vector<TakenEdge> meant(const Document& document, const TakeIn& op) {
+  std::vector<TakenEdge> all;
+  const auto add = [&](const TakenEdge& edge) {
     if (std::find(all.begin(), all.end(), edge) == all.end()) all.push_back(edge);
   };
   for (const EdgeRef& ref : op.edges) {
-    const Named edge{ref.piece.id, ref.edge};
+    const TakenEdge edge{ref.piece.id, ref.edge};
     add(edge);
     if (op.partners == Choice::No) continue;
     for (const auto& [id, seam] : document.pattern.seams)
@@ -34,20 +38,19 @@ std::vector<Named> meant(const Document& document, const TakeIn& op) {
   return all;
 }
 
-}  // namespace
-
-Done resolve(const Document& before, TakeIn& op, Context& context) {
-  if (op.by == 0.0 || !(std::fabs(op.by) <= kMost))
-    return refused(say("A seam is taken in or let out by up to 50 cm, not by {0} mm.", fixed(op.by * 1e3, 1)));
-  if (op.whole == Choice::Auto && !context.recorded) op.whole = Choice::Yes;
-  return resolveWhole(before, op.edges, op.symmetric, context);
+void tellTakenIn(double by, const std::string& edges, const Context& context) {
+  if (context.advise)
+    context.advise({by > 0 ? say("Taken in by {0} mm: {1}.", fixed(by * 1e3, 1), edges)
+                           : say("Let out by {0} mm: {1}.", fixed(-by * 1e3, 1), edges)});
 }
 
-Result<Document> perform(const Document& before, const TakeIn& op, Context& context) {
+// One edge after another, as records of before have it: a corner between two of them went twice as far, and what a
+// symmetric copy is sewn to stayed.
+Result<Document> oneByOne(const Document& before, const TakeIn& op, Context& context) {
   Document after = before;
-  std::set<Named> moved;
+  std::set<TakenEdge> moved;
   std::string said;
-  for (const Named& edge : meant(before, op)) {
+  for (const TakenEdge& edge : meant(before, op)) {
     if (moved.contains(edge)) continue;
     const Piece piece = *after.find(edge.first);
     auto in = moveEdge(piece, edge.second, op.by, op.whole == Choice::Yes);
@@ -71,11 +74,182 @@ Result<Document> perform(const Document& before, const TakeIn& op, Context& cont
     }
     said += (said.empty() ? "" : ", ") + piece.name + "." + edge.second;
   }
-  if (context.advise)
-    context.advise({op.by > 0 ? say("Taken in by {0} mm: {1}.", fixed(op.by * 1e3, 1), said)
-                              : say("Let out by {0} mm: {1}.", fixed(-op.by * 1e3, 1), said)});
+  tellTakenIn(op.by, said, context);
   tellMisfits(before, after, context);
   return after;
+}
+
+// --- All at once.
+
+// Where a share of an edge's length is on the edges it is sewn to; both may be parts of their sides.
+class ThroughSeam {
+ public:
+  ThroughSeam(const Pattern& pattern, const Seam& seam, bool fromA) : seam_(seam), fromA_(fromA) {
+    for (const auto* side : {&seam.a, &seam.b}) {
+      double along = 0;
+      for (const EdgeSpan& span : *side) {
+        const double whole = findCurve(*pattern.pieces.at(span.piece), span.edge)->length();
+        parts_[side == &seam.b].push_back({along, whole});
+        along += (span.to - span.from) * whole;
+      }
+      length_[side == &seam.b] = along;
+    }
+  }
+  double operator()(std::size_t own, std::size_t other, double at) const {
+    const EdgeSpan& span = (fromA_ ? seam_.a : seam_.b)[own];
+    const Part& here = parts_[!fromA_][own];
+    double share = (here.along + (at - span.from) * here.whole) / length_[!fromA_];
+    if (seam_.reversed) share = 1 - share;
+    const EdgeSpan& there = (fromA_ ? seam_.b : seam_.a)[other];
+    const Part& part = parts_[fromA_][other];
+    const double place = there.from + (share * length_[fromA_] - part.along) / part.whole;
+    return std::fabs(place) < kSameShare ? 0 : std::fabs(place - 1) < kSameShare ? 1 : place;
+  }
+
+ private:
+  struct Part {
+    double along = 0, whole = 0;  // of the side, before it; of the edge
+  };
+  const Seam& seam_;
+  bool fromA_;
+  std::vector<Part> parts_[2];
+  double length_[2] = {};
+};
+
+struct Carried {
+  TakenEdge edge;
+  std::optional<Taper> taper;
+  bool image = false;  // of another one of them: it follows that one
+};
+
+// Every edge that goes: those of the operation, their images on other halves and copies, what all these are sewn to,
+// and the images of that.
+class EdgesThatGo {
+ public:
+  EdgesThatGo(const Document& document, const TakeIn& op) : document_(document), op_(op) {}
+
+  Result<std::vector<Carried>> find() {
+    for (const EdgeRef& ref : op_.edges) {
+      const double whole =
+          document_.find(ref.piece.id)->outline.edges[*indexOf({ref.piece.id, ref.edge})].curve.length();
+      std::optional<Taper> taper;
+      if (op_.at) taper = Taper{0, *op_.at * whole < kAtAnEnd ? 0 : (1 - *op_.at) * whole < kAtAnEnd ? 1 : *op_.at, 1};
+      if (Done done = add({ref.piece.id, ref.edge}, taper); !done) return done.error();
+    }
+    for (std::size_t i = 0, own = all_.size(); op_.partners != Choice::No && i < own; ++i)
+      if (Done done = addSewn(all_[i]); !done) return done.error();
+    return all_;
+  }
+
+ private:
+  std::optional<std::size_t> indexOf(const TakenEdge& edge) const {
+    return document_.find(edge.first)->outline.find(edge.second);
+  }
+  bool push(Carried carried) {
+    if (std::any_of(all_.begin(), all_.end(), [&](const Carried& one) { return one.edge == carried.edge; }))
+      return false;
+    all_.push_back(std::move(carried));
+    return true;
+  }
+  // With its images.
+  Done add(const TakenEdge& edge, const std::optional<Taper>& taper) {
+    const auto k = indexOf(edge);
+    if (!k || !push({edge, taper})) return {};
+    const Piece& piece = *document_.find(edge.first);
+    const auto turned = taper ? std::optional(taper->reversed()) : std::nullopt;
+    const auto symmetry = op_.symmetric == Choice::No ? std::nullopt : symmetryOf(piece.outline);
+    std::vector<TakenEdge> here{edge};
+    if (const auto other = symmetry ? symmetry->partner[*k] : std::nullopt) {
+      if (*other == *k && taper && std::fabs(taper->most - turned->most) > kSameShare)
+        return refused(
+            say("{0} goes across the middle of “{1}”; write at=0.5, or symmetric=no.", edge.second, piece.name));
+      if (*other != *k) {
+        here.push_back({edge.first, piece.outline.edges[*other].name});
+        push({here.back(), turned, true});
+      }
+    }
+    for (const TakenEdge& one : here)
+      for (const PieceId copy : likenesses(document_, edge.first))
+        if (const auto name = edgeOnCopy(*document_.find(copy), piece, one.second))
+          push({{copy, *name}, one == edge ? turned : taper, true});
+    return {};
+  }
+  Done addSewn(const Carried from) {
+    for (const auto& [id, seam] : document_.pattern.seams)
+      for (const bool a : {true, false}) {
+        const auto &own = a ? seam.a : seam.b, &others = a ? seam.b : seam.a;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+          if (!lies(own[i], from.edge)) continue;
+          const ThroughSeam through(document_.pattern, seam, a);
+          for (std::size_t j = 0; j < others.size(); ++j) {
+            const TakenEdge other{others[j].piece, others[j].edge};
+            std::optional<Taper> taper;
+            if (from.taper) {
+              taper = Taper{through(i, j, from.taper->from), through(i, j, from.taper->most),
+                            through(i, j, from.taper->to)};
+              if (taper->from > taper->to) std::swap(taper->from, taper->to);
+              if (taper->to <= 0 || taper->from >= 1) continue;  // it is sewn to another part of the seam
+              const bool abrupt = taper->most == taper->from || taper->most == taper->to;
+              if (abrupt && taper->most > 0 && taper->most < 1)
+                return refused(
+                    say("{0} ends where {1}, to which it is sewn, goes on; say another place, or partners=no.",
+                        edgeSaid(document_, {PieceRef(from.edge.first), from.edge.second}),
+                        edgeSaid(document_, {PieceRef(other.first), other.second})));
+            }
+            if (Done done = add(other, taper); !done) return done;
+          }
+        }
+      }
+    return {};
+  }
+
+  const Document& document_;
+  const TakeIn& op_;
+  std::vector<Carried> all_;
+};
+
+Result<Document> allAtOnce(const Document& before, const TakeIn& op, Context& context) {
+  const auto all = EdgesThatGo(before, op).find();
+  if (!all) return all.error();
+  Document after = before;
+  std::string said;
+  for (const Carried& first : *all) {
+    const PieceId id = first.edge.first;
+    if (!first.image) said += (said.empty() ? "" : ", ") + before.find(id)->name + "." + first.edge.second;
+    const Piece& piece = *before.find(id);
+    if (after.find(id)->outline != piece.outline) continue;  // carried already, or as a copy
+    std::vector<EdgeCarry> carries;
+    for (const Carried& one : *all)
+      if (one.edge.first == id) carries.push_back({one.edge.second, op.by, one.taper});
+    const auto symmetry = op.symmetric == Choice::No ? std::nullopt : symmetryOf(piece.outline);
+    auto carried = carryEdges(piece, carries, symmetry ? &*symmetry : nullptr);
+    if (!carried) return carried.error();
+    ReshapePiece reshape;  // marks, seams, the shape in space and the symmetric copy follow as they do there
+    reshape.piece = id;
+    reshape.outline = std::move(carried->outline);
+    auto next = perform(Document(after), reshape, context);
+    if (!next) return next.error();
+    after = *std::move(next);
+  }
+  tellTakenIn(op.by, said, context);
+  tellMisfits(before, after, context);
+  return after;
+}
+
+}  // namespace
+
+Done resolve(const Document& before, TakeIn& op, Context& context) {
+  if (op.by == 0.0 || !(std::fabs(op.by) <= kMostTakenIn))
+    return refused(say("A seam is taken in or let out by up to 50 cm, not by {0} mm.", fixed(op.by * 1e3, 1)));
+  if (op.at && !(*op.at >= 0 && *op.at <= 1))
+    return refused(say("A place along an edge lies between 0 and 1, not at {0}.", *op.at));
+  if (op.whole == Choice::Auto && !context.recorded) op.whole = Choice::Yes;
+  if (op.together == Choice::Auto && !context.recorded) op.together = Choice::Yes;
+  return resolveWhole(before, op.edges, op.symmetric, context);
+}
+
+Result<Document> perform(const Document& before, const TakeIn& op, Context& context) {
+  return op.together == Choice::Yes || op.at ? allAtOnce(before, op, context) : oneByOne(before, op, context);
 }
 
 }  // namespace karinui

@@ -367,6 +367,7 @@ struct SetLength {
 };
 
 // takein edges=front.side_left by=1cm        takein edges="front.side_left, back.side_left" by=-5mm partners=no
+// takein edges=front.side_left by=1cm at=0.6
 struct TakeIn {
   static constexpr std::string_view kName = "takein";
   static constexpr std::string_view kHelp =
@@ -379,16 +380,26 @@ struct TakeIn {
   Choice partners = Choice::Yes;
   Choice symmetric = Choice::Auto;
   Choice whole = Choice::Auto;
+  Choice together = Choice::Auto;
+  std::optional<double> at;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edges", self.edges, "the edges", kNeeded);
     visit("by", self.by, "how far each goes into its piece, square to the line between its ends", kOptional);
+    visit("at", self.at,
+          "as far only there, as a share of the edge's length, and from there to nothing at its ends; 0 and 1 are the "
+          "ends themselves (without it: all along)",
+          kOptional);
     visit("partners", self.partners, "the edges they are sewn to go as far, so that the seams still fit: yes, no",
           kOptional);
     visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
     visit("whole", self.whole,
           "all of a curved edge goes, not its ends alone: auto, yes, no (auto: yes, but no in a record that does not "
           "have it)",
+          kOptional);
+    visit("together", self.together,
+          "edges that meet keep their corner as far from both, and what symmetric copies are sewn to goes too: auto, "
+          "yes, no (auto: yes, but no in a record that does not have it)",
           kOptional);
   }
   bool operator==(const TakeIn&) const = default;

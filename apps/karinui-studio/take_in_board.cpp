@@ -1,0 +1,94 @@
+#include "take_in_board.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "karinui/design/step_words.h"
+#include "length_box.h"
+#include "theme.h"
+
+namespace karinui::studio {
+
+namespace {
+enum TakenIn { kAllAlong, kAtStart, kAtEnd, kAtPlace };
+}
+
+TakeInBoard::TakeInBoard(Session& session) : session_(session) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  where_ = new QComboBox;
+  where_->setObjectName("take_in_where");
+  where_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  where_->setMinimumContentsLength(12);
+  place_ = new LengthBox(say("Taken in most, along the edge"), 0, 10);
+  place_->setObjectName("take_in_place");
+  partners_ = new QCheckBox;
+  partners_->setObjectName("take_in_partners");
+  partners_->setChecked(true);
+  Theme::here().keep(this, [this] {
+    where_->setAccessibleName(inWords(say("Where it is taken in")));
+    where_->setToolTip(
+        inWords(say("As far all along, or only at a place, as at the waist, and from there to nothing at the ends.")));
+    place_->setToolTip(inWords(say("How far along the edge that place is; a click on the edge says it, too.")));
+    partners_->setText(inWords(say("what it is sewn to goes as far")));
+    partners_->setToolTip(inWords(say(
+        "A centimetre at the side is then one off the front and one off the back. Not so for a sleeve made longer at "
+        "its cuff, or a neckline under its collar.")));
+    refresh();
+  });
+  column->addWidget(where_);
+  column->addWidget(place_);
+  column->addWidget(partners_);
+  connect(where_, &QComboBox::activated, this, &TakeInBoard::showPlace);
+}
+
+const Edge* TakeInBoard::edge() const {
+  const auto& chosen = session_.selection().edge;
+  const Piece* piece = chosen ? session_.snapshot().document.find(chosen->piece) : nullptr;
+  const auto k = piece ? piece->outline.find(chosen->edge) : std::nullopt;
+  return k ? &piece->outline.edges[*k] : nullptr;
+}
+
+void TakeInBoard::showPlace() { place_->setVisible(where_->currentData().toInt() == kAtPlace); }
+
+void TakeInBoard::refresh() {
+  const Edge* own = edge();
+  setVisible(own);
+  if (!own) return;
+  const EdgeNear& chosen = *session_.selection().edge;
+  const bool another = !shown_ || shown_->piece != chosen.piece || shown_->edge != chosen.edge;
+  const int was = another || where_->count() == 0 ? static_cast<int>(kAllAlong) : where_->currentData().toInt();
+  const Document& document = session_.snapshot().document;
+  const Piece& piece = *document.find(chosen.piece);
+  const auto& edges = piece.outline.edges;
+  const std::size_t k = *piece.outline.find(own->name), n = edges.size();
+  where_->clear();
+  where_->addItem(inWords(say("all along it")), kAllAlong);
+  where_->addItem(inWords(say("most at {0}", edgeNameSaid(document, piece, edges[(k + n - 1) % n].name))), kAtStart);
+  where_->addItem(inWords(say("most at {0}", edgeNameSaid(document, piece, edges[(k + 1) % n].name))), kAtEnd);
+  where_->addItem(inWords(say("most at a place along it")), kAtPlace);
+  where_->setCurrentIndex(where_->findData(was));
+  place_->setLongest(own->curve.length());
+  if (another) partners_->setChecked(true);  // what was meant for the last edge is not meant for this one
+  if (another || shown_->fraction != chosen.fraction) place_->setMetres(chosen.fraction * own->curve.length());
+  shown_ = chosen;
+  showPlace();
+}
+
+TakeIn TakeInBoard::takeIn(double metres) const {
+  TakeIn in;
+  in.edges = {{session_.selection().edge->piece, session_.selection().edge->edge, 0, 1}};
+  in.by = Length{metres};
+  if (!partners_->isChecked()) in.partners = Choice::No;
+  const Edge* own = edge();
+  const int where = own ? where_->currentData().toInt() : static_cast<int>(kAllAlong);
+  if (where == kAtStart) in.at = 0;
+  if (where == kAtEnd) in.at = 1;
+  if (where == kAtPlace) in.at = std::clamp(place_->value() / own->curve.length(), 0.0, 1.0);
+  return in;
+}
+
+}  // namespace karinui::studio

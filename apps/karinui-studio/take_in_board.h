@@ -1,0 +1,32 @@
+#pragma once
+// How the chosen edge is taken in: all along it, or most at a place and to nothing at its ends, and whether what it is
+// sewn to goes as far. GUI thread.
+#include <QWidget>
+
+#include "karinui/session/session.h"
+
+class QCheckBox;
+class QComboBox;
+
+namespace karinui::studio {
+
+class LengthBox;
+
+class TakeInBoard : public QWidget {
+  Q_OBJECT
+ public:
+  explicit TakeInBoard(Session& session);
+  void refresh();                      // the chosen edge, or the garment, is another
+  TakeIn takeIn(double metres) const;  // of the chosen edge
+
+ private:
+  const Edge* edge() const;
+  void showPlace();
+  Session& session_;
+  QComboBox* where_;
+  LengthBox* place_;
+  QCheckBox* partners_;
+  std::optional<EdgeNear> shown_;
+};
+
+}  // namespace karinui::studio

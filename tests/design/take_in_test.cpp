@@ -1,0 +1,169 @@
+// Seams taken in as a tailor pins them: to nothing at their ends, on both sides of the garment.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "design/workroom.h"
+#include "karinui/pattern/symmetry.h"
+
+namespace karinui {
+namespace {
+
+using ::testing::HasSubstr;
+
+// A front in two copies and a back of both halves, sewn at the sides.
+constexpr const char* kBodyPaper =
+    "piece name=front_left outline=\"M 0 0; hem L 250 0; side L 240 400; top L 0 400; centre L 0 0\"\n"
+    "mirror piece=front_left name=front_right\n"
+    "piece name=back outline=\"M 0 0; hem_left L 250 0; side_left L 240 400; top L -240 400; side_right L -250 0; "
+    "hem_right L 0 0\"\n"
+    "sew a=front_left.side b=back.side_left name=left\nsew a=front_right.side b=back.side_right name=right\n";
+
+struct Pinned {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  std::string said;
+  Pinned() {
+    room.context.advise = [this](const Advice& one) { said += text(one.what) + "\n"; };
+  }
+  void play(const std::string& script) {
+    const Done done = room.play(file, script);
+    ASSERT_TRUE(done) << text(done.error().what);
+  }
+  std::string refusal(const std::string& script) {
+    const Done done = room.play(file, script);
+    return done ? "" : text(done.error().what);
+  }
+  const Curve& curve(const char* piece, const char* edge) {
+    const Outline& outline = file.document().pieceNamed(piece)->outline;
+    return outline.edges[*outline.find(edge)].curve;
+  }
+  double uneven() {
+    double most = 0;
+    for (const auto& [id, seam] : file.document().pattern.seams)
+      most = std::fmax(most, std::fabs(lengthMismatch(file.document().pattern, seam)));
+    return most;
+  }
+};
+
+// How far a place moved, square to the side.
+double wentIn(const Curve& was, const Curve& is, double v) {
+  const auto at = [&](const Curve& curve) {
+    for (const Flat p : curve.evenly(0, 1, 4000))
+      if (std::fabs(p.v - v) < 1e-3 * 0.1) return std::fabs(p.u);
+    return 0.0;
+  };
+  return at(was) - at(is);
+}
+
+TEST(TakeIn, AtTheWaistAndToNothingAtHemAndArmhole) {
+  Pinned t;
+  t.play(kBodyPaper);
+  const Curve front = t.curve("front_left", "side"), back = t.curve("back", "side_left");
+  t.play("takein edges=front_left.side by=1cm at=0.5");
+  EXPECT_EQ(t.curve("front_left", "side").start, front.start);
+  EXPECT_EQ(t.curve("front_left", "side").end, front.end);
+  EXPECT_NEAR(wentIn(front, t.curve("front_left", "side"), 0.2), 0.010, 1e-4);
+  EXPECT_NEAR(wentIn(front, t.curve("front_left", "side"), 0.1), 0.005, 2e-4);
+  EXPECT_NEAR(wentIn(back, t.curve("back", "side_left"), 0.2), 0.010, 1e-4);
+  EXPECT_EQ(t.curve("back", "side_left").start, back.start);
+  // The other side of the garment, the copy's and the half's.
+  EXPECT_NEAR(t.curve("front_right", "side").atFraction(0.5).u, -t.curve("front_left", "side").atFraction(0.5).u, 1e-9);
+  EXPECT_NEAR(t.curve("back", "side_right").atFraction(0.5).u, -t.curve("back", "side_left").atFraction(0.5).u, 1e-9);
+  EXPECT_TRUE(symmetryOf(t.file.document().pieceNamed("back")->outline));
+  EXPECT_LT(t.uneven(), 1e-9) << "the seams still fit";
+  // Both ways run out along the seam as it was.
+  const Flat leaves = normalized(t.curve("front_left", "side").tangent(0));
+  EXPECT_NEAR(cross(leaves, normalized(front.tangent(0))), 0, 1e-9);
+}
+
+TEST(TakeIn, AtAnEndTheHipIsLetOut) {
+  Pinned t;
+  t.play(kBodyPaper);
+  const Curve front = t.curve("front_left", "side"), back = t.curve("back", "side_left");
+  t.play("takein edges=back.side_left by=-1cm at=0");
+  EXPECT_EQ(t.curve("back", "side_left").end, back.end);
+  EXPECT_NEAR(t.curve("back", "side_left").start.u, back.start.u + 0.01, 2e-4);
+  EXPECT_NEAR(t.curve("front_left", "side").start.u, front.start.u + 0.01, 2e-4)
+      << "the same end of what it is sewn to";
+  EXPECT_EQ(t.curve("front_left", "side").end, front.end);
+  EXPECT_EQ(t.curve("back", "hem_left").end, t.curve("back", "side_left").start);
+  EXPECT_LT(t.uneven(), 1e-6);
+  EXPECT_THAT(t.refusal("takein edges=back.side_left by=1cm at=1.2"), HasSubstr("between 0 and 1"));
+}
+
+TEST(TakeIn, WhatIsSewnFromPartsGoesAsTheWhole) {
+  Pinned t;
+  t.play(std::string(kBodyPaper) + "split edge=front_left.side at=0.25\n");
+  const Curve low = t.curve("front_left", "side"), high = t.curve("front_left", "side_2");
+  t.play("takein edges=back.side_left by=1cm at=0.5");
+  EXPECT_EQ(t.curve("front_left", "side").start, low.start);
+  EXPECT_EQ(t.curve("front_left", "side_2").end, high.end);
+  EXPECT_NEAR(low.end.u - t.curve("front_left", "side").end.u, 0.005, 2e-4) << "half of it, half-way to the hem";
+  EXPECT_EQ(t.curve("front_left", "side").end, t.curve("front_left", "side_2").start);
+  EXPECT_NEAR(wentIn(high, t.curve("front_left", "side_2"), 0.2), 0.010, 2e-4);
+  EXPECT_LT(t.uneven(), 2e-4);
+  // Where the part ends, what it is sewn to goes on: that would be torn.
+  EXPECT_THAT(t.refusal("takein edges=front_left.side by=1cm at=1"), HasSubstr("goes on"));
+  t.play("takein edges=front_left.side by=1cm at=1 partners=no");
+}
+
+TEST(TakeIn, ACornerBetweenTwoEdgesGoesOnce) {
+  Pinned t;
+  t.play(std::string(kBodyPaper) + "split edge=front_left.side at=0.5\n");
+  const Flat was = t.curve("front_left", "side_2").start;
+  t.play("takein edges=back.side_left by=1cm");
+  EXPECT_NEAR(distance(was, t.curve("front_left", "side_2").start), 0.01, 2e-4);
+  EXPECT_LT(t.uneven(), 2e-4);
+  // As records of before have it.
+  t.play("takein edges=back.side_left by=1cm together=no");
+  EXPECT_NEAR(distance(was, t.curve("front_left", "side_2").start), 0.03, 4e-4);
+  // Round a corner of the outline the seam line is as far in from both.
+  Pinned square;
+  square.play(
+      "piece name=patch outline=\"M 0 0; a L 200 0; b L 200 200; c L 0 200; d L 0 0\"\n"
+      "takein edges=\"patch.a patch.b patch.c patch.d\" by=1cm symmetric=no\n");
+  EXPECT_NEAR(square.curve("patch", "a").start.u, 0.01, 1e-9);
+  EXPECT_NEAR(square.curve("patch", "a").start.v, 0.01, 1e-9);
+  EXPECT_NEAR(square.curve("patch", "c").length(), 0.18, 1e-9);
+}
+
+TEST(TakeIn, WhatACopyIsSewnToGoesToo) {
+  Pinned t;
+  t.play(
+      "piece name=sleeve_left outline=\"M 0 0; hem L 240 0; under_front L 300 300; cap L -60 300; under_back L 0 0\"\n"
+      "mirror piece=sleeve_left name=sleeve_right\n"
+      "rectangle name=cuff_left width=24cm height=5cm\nrectangle name=cuff_right width=24cm height=5cm\n"
+      "sew a=sleeve_left.hem b=cuff_left.bottom\nsew a=sleeve_right.hem b=cuff_right.bottom\n");
+  t.play("takein edges=sleeve_left.hem by=-1cm");
+  EXPECT_NEAR(t.curve("cuff_left", "side_right").length(), 0.06, 1e-9);
+  EXPECT_NEAR(t.curve("cuff_right", "side_right").length(), 0.06, 1e-9) << "both cuffs are as deep";
+  EXPECT_NEAR(t.curve("sleeve_right", "hem").start.v, -0.01, 1e-9);
+  EXPECT_THAT(t.said, HasSubstr("cuff_right.bottom"));
+  t.play("takein edges=sleeve_left.hem by=-1cm partners=no");
+  EXPECT_NEAR(t.curve("cuff_left", "side_right").length(), 0.06, 1e-9);
+  EXPECT_NEAR(t.curve("cuff_right", "side_right").length(), 0.06, 1e-9);
+}
+
+TEST(TakeIn, ACurvedEdgeIsLoweredAtOneEnd) {
+  Pinned t;
+  t.play(
+      "piece name=front outline=\"M 0 0; hem_left L 240 0; side_left L 250 340; armhole_left C 170 360 160 460 170 "
+      "560; "
+      "shoulder_left L 70 600; neck_left C 60 540 30 520 0 520; neck_right C -30 520 -60 540 -70 600; shoulder_right L "
+      "-170 560; armhole_right C -160 460 -170 360 -250 340; side_right L -240 0; hem_right L 0 0\"\n");
+  const Curve neck = t.curve("front", "neck_left"), right = t.curve("front", "neck_right");
+  for (const char* edge : {"neck_left by=1cm at=1", "neck_right by=1cm at=0"}) {
+    const Flat middle = t.curve("front", "neck_left").end;
+    t.play(std::string("takein edges=front.") + edge);
+    EXPECT_EQ(t.curve("front", "neck_left").start, neck.start) << "the shoulder stays";
+    EXPECT_EQ(t.curve("front", "neck_right").end, right.end);
+    EXPECT_NEAR(t.curve("front", "neck_left").end.u, 0, 1e-12);
+    EXPECT_LT(t.curve("front", "neck_left").end.v, middle.v - 0.009);
+    EXPECT_NEAR(t.curve("front", "neck_left").atFraction(0.5).u, -t.curve("front", "neck_right").atFraction(0.5).u,
+                1e-9);
+  }
+  EXPECT_TRUE(symmetryOf(t.file.document().pieceNamed("front")->outline));
+}
+
+}  // namespace
+}  // namespace karinui
