@@ -3,7 +3,10 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "karinui/design/step_words.h"
 #include "theme.h"
@@ -19,6 +22,8 @@ LengthChoice::LengthChoice(Session& session) : session_(session) {
   keep_->setMinimumContentsLength(12);
   neighbours_ = new QCheckBox;
   neighbours_->setChecked(true);
+  partners_ = new QCheckBox;
+  partners_->setObjectName("length_partners");
   both_ = new QLabel;
   both_->setWordWrap(true);
   both_->setProperty("role", "faint");
@@ -31,12 +36,18 @@ LengthChoice::LengthChoice(Session& session) : session_(session) {
     keep_->setToolTip(inWords(say("The full dot stays, the ring moves.")));
     neighbours_->setText(inWords(say("neighbours keep their length")));
     neighbours_->setToolTip(inWords(say("Where they can: they turn a little, and so does the edge.")));
+    partners_->setText(inWords(say("the edge it is sewn to, too")));
+    partners_->setToolTip(
+        inWords(say("It becomes longer or shorter by as much, at the same end, so that the seam still fits: both edges "
+                    "of an underarm, front and back of a side.")));
     refresh();
   });
   column->addWidget(given_);
   column->addWidget(keep_);
   column->addWidget(neighbours_);
+  column->addWidget(partners_);
   column->addWidget(both_);
+  connect(partners_, &QCheckBox::toggled, this, &LengthChoice::refresh);
   connect(keep_, &QComboBox::activated, this,
           [this] { session_.setKeptEnd(static_cast<SetLength::Keep>(keep_->currentData().toInt())); });
 }
@@ -66,6 +77,25 @@ void LengthChoice::refresh() {
   const std::string from = formula();
   given_->setText("= " + QString::fromStdString(from));
   given_->setVisible(!from.empty());
+  const auto alone = [](const std::vector<EdgeSpan>& side) {
+    return side.size() == 1 && side.front().from == 0 && side.front().to == 1;
+  };
+  const EdgeNear& chosen = *session_.selection().edge;
+  const std::pair shown(chosen.piece, chosen.edge);
+  if (std::exchange(shown_, shown) != shown) {  // what was meant for the last edge is not meant for this one
+    const QSignalBlocker quiet(partners_);
+    partners_->setChecked(false);
+  }
+  const auto& seams = session_.snapshot().document.pattern.seams;
+  partners_->setEnabled(std::any_of(seams.begin(), seams.end(), [&](const auto& held) {
+    const Seam& seam = held.second;
+    const auto here = [&](const std::vector<EdgeSpan>& side) {
+      return side.front().piece == chosen.piece && side.front().edge == chosen.edge;
+    };
+    return alone(seam.a) && alone(seam.b) && (here(seam.a) || here(seam.b));
+  }));
+  const bool more = partners_->isEnabled() && partners_->isChecked();
+  both_->setVisible(!more);
   both_->setText(inWords(session_.bothHalves() ? say("Both halves change.") : say("Only this edge changes.")));
 }
 
@@ -92,6 +122,7 @@ SetLength LengthChoice::length(double metres) const {
   set.to = {metres};
   set.keep = session_.keptEnd();
   set.neighbours = neighbours_->isChecked() ? SetLength::Neighbours::Keep : SetLength::Neighbours::Follow;
+  if (partners_->isEnabled() && partners_->isChecked()) set.partners = Choice::Yes;
   return set;
 }
 

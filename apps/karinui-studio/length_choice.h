@@ -24,8 +24,9 @@ class LengthChoice : public QWidget {
   const Piece* piece() const;  // null: no edge of an outline is chosen
   Session& session_;
   QComboBox* keep_;
-  QCheckBox* neighbours_;
+  QCheckBox *neighbours_, *partners_;
   QLabel *both_, *given_;
+  std::pair<PieceId, std::string> shown_;
 };
 
 }  // namespace karinui::studio

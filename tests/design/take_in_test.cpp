@@ -165,5 +165,42 @@ TEST(TakeIn, ACurvedEdgeIsLoweredAtOneEnd) {
   EXPECT_TRUE(symmetryOf(t.file.document().pieceNamed("front")->outline));
 }
 
+// A sleeve is made longer by its underarm: both its edges, and those of the copy.
+TEST(TypedLength, WhatItIsSewnToGetsAsMuchLonger) {
+  Pinned t;
+  t.play(
+      "piece name=sleeve_left outline=\"M 0 0; hem L 240 0; under_front L 300 300; cap C 220 430 20 400 -60 300; "
+      "under_back L 0 0\"\nmirror piece=sleeve_left name=sleeve_right\n"
+      "sew a=sleeve_left.under_front b=sleeve_left.under_back\n"
+      "sew a=sleeve_right.under_front b=sleeve_right.under_back\n");
+  const double was = t.curve("sleeve_left", "under_front").length();
+  t.play("length edge=sleeve_left.under_front to=33cm keep=end partners=yes");
+  for (const char* sleeve : {"sleeve_left", "sleeve_right"})
+    for (const char* edge : {"under_front", "under_back"})
+      EXPECT_NEAR(t.curve(sleeve, edge).length(), 0.33, 1e-6) << sleeve;
+  EXPECT_NEAR(t.curve("sleeve_left", "hem").start.v, t.curve("sleeve_left", "hem").end.v, 2e-3) << "longer all round";
+  EXPECT_NEAR(t.curve("sleeve_left", "cap").start.v, 0.3, 1e-9) << "the cap stays";
+  EXPECT_THAT(t.said, testing::Not(HasSubstr("longer than")));
+  EXPECT_GT(0.33, was);
+  t.play("length edge=sleeve_left.under_front to=35cm keep=end");
+  EXPECT_NEAR(t.curve("sleeve_left", "under_back").length(), 0.33, 1e-6);
+}
+
+// An armhole is made deeper by shorter sides: of front and back, left and right.
+TEST(TypedLength, TheSameEndGoesOnBothSidesOfTheSeam) {
+  Pinned t;
+  t.play(kBodyPaper);
+  const Flat hem = t.curve("back", "side_left").start;
+  const double was = t.curve("front_left", "side").length();
+  t.play("length edge=front_left.side to=38cm keep=start partners=yes");
+  EXPECT_EQ(t.curve("back", "side_left").start, hem) << "the hem stays, as at the front";
+  EXPECT_NEAR(t.curve("back", "side_left").length(), 0.38, 1e-6);
+  EXPECT_NEAR(t.curve("back", "side_right").length(), 0.38, 1e-6);
+  EXPECT_NEAR(t.curve("front_right", "side").length(), 0.38, 1e-6);
+  EXPECT_LT(t.uneven(), 1e-6);
+  EXPECT_GT(was, 0.38);
+  EXPECT_TRUE(symmetryOf(t.file.document().pieceNamed("back")->outline));
+}
+
 }  // namespace
 }  // namespace karinui

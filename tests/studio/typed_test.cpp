@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QImage>
@@ -35,6 +36,58 @@ void chooseEdge(Window& w, const char* piece, const char* edge) {
   w.session().select(chosen);
   w.main().boards().setCurrentIndex(0);
   w.rest();
+}
+
+// At the waist alone, to nothing at hem and armhole; and a hem without what is sewn to it.
+TEST(StudioTyped, ASeamIsTakenInWhereItIsPinned) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* line : {"piece name=front outline=\"M 0 0; hem L 300 0; side L 300 400; top L 0 400; centre L 0 0\"",
+                           "piece name=back outline=\"M 0 0; hem L 310 0; side L 310 400; top L 0 400; centre L 0 0\"",
+                           "sew a=front.side b=back.side"})
+    w.session().perform(*parseOperation(line));
+  w.rest();
+  const auto curve = [&](const char* piece) {
+    const Outline& outline = w.session().snapshot().document.pieceNamed(piece)->outline;
+    return outline.edges[*outline.find("side")].curve;
+  };
+  chooseEdge(w, "front", "side");
+  auto& where = *w.main().findChild<QComboBox*>("take_in_where");
+  auto& place = *w.main().findChild<LengthBox*>("take_in_place");
+  auto& partners = *w.main().findChild<QCheckBox*>("take_in_partners");
+  EXPECT_FALSE(place.isVisible());
+  where.setCurrentIndex(3);
+  emit where.activated(3);
+  EXPECT_TRUE(place.isVisible());
+  EXPECT_NEAR(place.value(), 0.2, 1e-9) << "where it was clicked";
+  w.type(w.box("Take in"), "1");
+  w.rest();
+  EXPECT_THAT(w.last(), HasSubstr("at=0.5")) << w.main().said().toStdString();
+  EXPECT_EQ(curve("front").start, (Flat{0.3, 0}));
+  EXPECT_NEAR(curve("front").atFraction(0.5).u, 0.29, 1e-6);
+  EXPECT_NEAR(curve("back").atFraction(0.5).u, 0.30, 1e-6);
+  partners.setChecked(false);
+  where.setCurrentIndex(1);
+  w.type(w.box("Take in"), "-1");
+  w.rest();
+  EXPECT_THAT(w.last(), AllOf(HasSubstr("at=0"), HasSubstr("partners=no")));
+  EXPECT_NEAR(curve("front").start.u, 0.31, 1e-6);
+  EXPECT_NEAR(curve("back").start.u, 0.31, 1e-6);
+  // What is typed for a length is given to the other side of the seam, too.
+  auto& both = *w.main().findChild<QCheckBox*>("length_partners");
+  ASSERT_TRUE(both.isEnabled());
+  both.setChecked(true);
+  w.type(w.box("Length"), "42");
+  w.rest();
+  EXPECT_THAT(w.last(), HasSubstr("partners=yes"));
+  EXPECT_NEAR(curve("front").length(), 0.42, 1e-6);
+  EXPECT_GT(curve("back").length(), 0.41);
+  chooseEdge(w, "front", "hem");
+  EXPECT_FALSE(both.isEnabled()) << "it is sewn to nothing";
+  EXPECT_EQ(where.currentIndex(), 0) << "another edge, as a whole";
+  EXPECT_TRUE(partners.isChecked());
+  chooseEdge(w, "front", "side");
+  EXPECT_FALSE(both.isChecked());
 }
 
 TEST(StudioTyped, AMeasureIsTypedWhereverOneClicks) {

@@ -5,7 +5,9 @@
 #include "design/operations/operations.h"
 #include "karinui/base/number.h"
 #include "karinui/design/edge_length.h"
+#include "karinui/design/step_words.h"
 #include "karinui/pattern/edge_length.h"
+#include "karinui/pattern/likeness.h"
 
 namespace karinui {
 
@@ -87,6 +89,84 @@ SetLength::Keep endThatStays(const Document& document, const Piece& piece, const
   return stand(end).y > stand(start).y + 1e-6 ? Keep::End : Keep::Start;
 }
 
+using LengthenedEdge = std::pair<PieceId, std::string>;
+
+// An edge that becomes longer by so much, and which of its ends stays.
+struct Longer {
+  LengthenedEdge edge;
+  KeptEnd keep = KeptEnd::Start;
+};
+
+KeptEnd otherEndKept(KeptEnd keep) {
+  return keep == KeptEnd::Start ? KeptEnd::End : keep == KeptEnd::End ? KeptEnd::Start : keep;
+}
+
+// The edges that these are sewn to end to end.
+std::vector<Longer> sewnTo(const Document& document, const std::vector<Longer>& these) {
+  std::vector<Longer> all;
+  const auto whole = [](const std::vector<EdgeSpan>& side) {
+    return side.size() == 1 && side.front().from == 0 && side.front().to == 1;
+  };
+  for (const Longer& one : these)
+    for (const auto& [id, seam] : document.pattern.seams) {
+      if (!whole(seam.a) || !whole(seam.b) || seam.tie != Seam::Tie::OneToOne) continue;
+      for (const auto& [own, other] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)})
+        if (own->front().piece == one.edge.first && own->front().edge == one.edge.second)
+          all.push_back(
+              {{other->front().piece, other->front().edge}, seam.reversed ? otherEndKept(one.keep) : one.keep});
+    }
+  return all;
+}
+
+// An edge with its images on the piece's other half and on symmetric copies.
+std::vector<Longer> withImages(const Document& document, const Longer& one, bool bothHalves) {
+  std::vector<Longer> all{one};
+  const Piece& piece = *document.find(one.edge.first);
+  const auto k = piece.outline.find(one.edge.second);
+  const auto symmetry = bothHalves && k ? symmetryOf(piece.outline) : std::nullopt;
+  if (const auto other = symmetry ? symmetry->partner[*k] : std::nullopt; other && *other != *k)
+    all.push_back({{piece.id, piece.outline.edges[*other].name}, otherEndKept(one.keep)});
+  for (std::size_t i = 0, here = all.size(); i < here; ++i)
+    for (const PieceId copy : likenesses(document, piece.id))
+      if (const auto name = edgeOnCopy(*document.find(copy), piece, all[i].edge.second))
+        all.push_back({{copy, *name}, otherEndKept(all[i].keep)});
+  return all;
+}
+
+Result<Document> partnersAsWell(const Document& before, Document after, const SetLength& op, KeptEnd keep,
+                                Context& context) {
+  const auto lengthIn = [](const Document& document, const LengthenedEdge& edge) -> std::optional<double> {
+    const Outline& outline = document.find(edge.first)->outline;
+    const auto k = outline.find(edge.second);
+    return k ? std::optional(outline.edges[*k].curve.length()) : std::nullopt;
+  };
+  // Of a piece that has no other half it says nothing.
+  const bool oneHalf = op.symmetric == Choice::No && symmetryOf(before.find(op.edge.piece.id)->outline).has_value();
+  const double by = op.to - *lengthIn(before, {op.edge.piece.id, op.edge.edge});
+  for (const Longer& one :
+       sewnTo(before, withImages(before, {{op.edge.piece.id, op.edge.edge}, keep}, op.symmetric == Choice::Yes))) {
+    const auto was = lengthIn(before, one.edge), is = lengthIn(after, one.edge);
+    if (!was || std::fabs(*is - *was - by) < kAsLong) continue;  // a line; or the image of one that is done
+    const Piece& piece = *after.find(one.edge.first);
+    const auto symmetry = oneHalf ? std::nullopt : symmetryOf(piece.outline);
+    const bool both = symmetry && symmetry->partner[*piece.outline.find(one.edge.second)];
+    auto outline =
+        withLength(piece.outline, {one.edge.second, *was + by, one.keep, op.neighbours == SetLength::Neighbours::Keep},
+                   both ? &*symmetry : nullptr);
+    if (!outline) return outline.error();
+    ReshapePiece reshape;
+    reshape.piece = one.edge.first;
+    reshape.outline = *std::move(outline);
+    auto next = perform(Document(after), reshape, context);
+    if (!next) return next.error();
+    after = *std::move(next);
+    if (context.advise)
+      context.advise({say("{0} as well: {1} mm → {2} mm.",
+                          edgeSaid(before, {PieceRef(one.edge.first), one.edge.second}), inMm(*was), inMm(*was + by))});
+  }
+  return after;
+}
+
 }  // namespace
 
 SetLength::Keep keptEnd(const Document& document, const Piece& piece, const std::string& edge, bool symmetric) {
@@ -124,6 +204,7 @@ Result<Document> perform(const Document& before, const SetLength& op, Context& c
   reshape.symmetric = op.symmetric;
   reshape.outline = *std::move(outline);
   auto after = perform(before, reshape, context);
+  if (after && op.partners == Choice::Yes) after = partnersAsWell(before, *std::move(after), op, change.keep, context);
   if (!after || !context.advise) return after;
   context.advise({changes(piece.outline, reshape.outline, op)});
   if (change.neighboursKeep) tellStretched(piece.outline, reshape.outline, op, context);

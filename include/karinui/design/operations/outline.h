@@ -337,6 +337,7 @@ struct AddPleat {
 };
 
 // length edge=front.side_left to=36cm        length edge=front.shoulder_left to=12cm keep=end neighbours=follow
+// length edge=sleeve.under_front to=45cm partners=yes
 // The edge keeps its shape, scaled; its other end moves. Every edge but it and its neighbours at the moved ends (and
 // their mirror images) stays bit for bit.
 struct SetLength {
@@ -348,6 +349,7 @@ struct SetLength {
   enum class Keep { Auto, Start, End, Middle } keep = Keep::Auto;
   enum class Neighbours { Keep, Follow } neighbours = Neighbours::Keep;
   Choice symmetric = Choice::Auto;
+  Choice partners = Choice::No;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge", kNeeded);
@@ -362,6 +364,9 @@ struct SetLength {
           "turn)",
           kOptional);
     visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+    visit("partners", self.partners,
+          "the edge it is sewn to, end to end, becomes longer or shorter by as much, at the same end: yes, no",
+          kOptional);
   }
   bool operator==(const SetLength&) const = default;
 };
