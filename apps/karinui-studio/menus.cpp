@@ -144,6 +144,7 @@ void MainWindow::makeMenus() {
   QMenu* edit = menu(say("Edit"));
   for (const Command c : {Command::Undo, Command::Redo}) edit->addAction(actions_[c]);
   edit->addSeparator();
+  edit->addAction(actions_[Command::SelectAll]);
   for (const Command c : {Command::Remove, Command::Duplicate, Command::Mirror, Command::Freeze, Command::FlipSeam})
     edit->addAction(actions_[c]);
   edit->addAction(actions_[Command::Mend]);

@@ -78,6 +78,8 @@ std::span<const CommandInfo> commands() {
        say("Brings the pieces that changed to rest on the body; again to stop."), Needs::BodyAndPieces, nullptr, true},
       {Command::Cancel, "cancel", "", "Esc", say("Cancel"), say("Drops what the hand is doing.")},
       {Command::Confirm, "confirm", "", "Return", say("Finish"), say("Ends a line drawn click by click.")},
+      {Command::SelectAll, "select_all", "", "Ctrl+A", say("Select all"),
+       say("Chooses every piece; Esc chooses nothing again."), Needs::Pieces},
       {Command::Remove, "remove", "trash", "Del", say("Remove"), say("Takes away the chosen piece or seam."),
        Needs::ChosenThing},
       {Command::Duplicate, "duplicate", "", "Ctrl+D", say("Duplicate"), say("Makes a second piece beside the first."),

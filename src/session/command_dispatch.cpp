@@ -44,6 +44,8 @@ bool Session::can(Command command) const {
       break;
     case Command::Confirm:
       return in.gesture->begun();
+    case Command::SelectAll:  // which changes nothing
+      return in.has(Needs::Pieces) && !in.gesture->begun();
     case Command::SectionBack:
     case Command::SectionOn:
       return in.viewCut.section.has_value();
@@ -111,6 +113,8 @@ void Session::command(Command command) {
         in.settleInterrupted();
         return;
       }
+      // One thing at a time: what is under way, what was advised, the tool, and then what is chosen.
+      if (!in.settlingNow() && !in.posingNow() && in.advice.empty() && in.tool == Command::Select) return select({});
       in.stopSettling();
       in.advice.clear();
       if (in.tool != Command::Select) in.tool = Command::Select, in.gesture = gestureFor(in.tool);
@@ -125,6 +129,11 @@ void Session::command(Command command) {
     case Command::Confirm: {
       const bool begun = in.gesture->begun();
       return in.takeResult(in.gesture->confirm(in.context()), begun);
+    }
+    case Command::SelectAll: {
+      Selection all;
+      for (const auto& [id, piece] : in.state.snapshot->document.pattern.pieces) all.pieces.insert(id);
+      return select(std::move(all));
     }
     case Command::Remove:
       if (!in.selection.line.empty()) return in.perform(EraseMarks{chosen().front(), {in.selection.line}, {}});

@@ -68,6 +68,23 @@ TEST_F(Choosing, DeleteTakesNoPieceAwayWhereAnEdgeWasChosen) {
   EXPECT_FALSE(session.snapshot().document.find(front));
 }
 
+TEST_F(Choosing, AllIsChosenAtOnceAndEscapeChoosesNothing) {
+  session.command(Command::SelectAll);
+  EXPECT_EQ(session.selection().pieces, (std::set<PieceId>{front, back}));
+  const std::size_t steps = session.steps().size();
+  session.command(Command::Cut);
+  session.command(Command::Cancel);
+  EXPECT_EQ(session.tool(), Command::Select);
+  EXPECT_EQ(session.selection().pieces.size(), 2u) << "the tool first";
+  session.command(Command::Cancel);
+  EXPECT_TRUE(session.selection().pieces.empty());
+  EXPECT_EQ(session.steps().size(), steps);
+  session.command(Command::SelectAll);
+  session.command(Command::Freeze);
+  session.finish();
+  for (const PieceId id : {front, back}) EXPECT_TRUE(session.snapshot().document.find(id)->frozen);
+}
+
 TEST_F(Choosing, AClickWithShiftChoosesOneMoreAndOneLess) {
   click(front, inside(front));
   EXPECT_EQ(session.selection().pieces, std::set<PieceId>{front});

@@ -41,6 +41,7 @@ enum class Command {
   Settle,
   Cancel,
   Confirm,
+  SelectAll,
   Remove,
   Duplicate,
   Mirror,
