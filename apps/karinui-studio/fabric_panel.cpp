@@ -114,9 +114,10 @@ FabricPanel::FabricPanel(Session& session, QWidget* in) : Panel(session, in) {
     column->addWidget(made);
     return made;
   };
-  cut_ = button(say("Cut the chosen pieces from it"), say("With nothing chosen, all pieces."));
+  cut_ = button(say("Cut the chosen pieces from it"), say("The pieces that are chosen; where none is, all of them."));
   change_ = button(say("Keep the changed values"), say("For every piece that is cut from this fabric."));
   own_ = button(say("Only for the chosen pieces"), say("They get a fabric of their own with these values."));
+  Theme::here().keep(cut_, [this] { showWhatMayBeDone(); });  // which says of which pieces
   connect(button(say("Measure a fabric…"), say("A fabric of your own, from scales, a table's edge and a weight.")),
           &QPushButton::clicked, this, [this] {
             auto* wizard = new FabricWizard(session_, this);
@@ -192,6 +193,8 @@ void FabricPanel::show(const Fabric& fabric) {
 void FabricPanel::showWhatMayBeDone() {
   const bool changed = !(fabric_ == kept_), pieces = !session_.snapshot().document.pattern.pieces.empty();
   cut_->setEnabled(pieces && !changed);
+  cut_->setText(inWords(session_.selection().pieces.empty() ? say("Cut all pieces from it")
+                                                            : say("Cut the chosen pieces from it")));
   change_->setEnabled(changed);
   own_->setEnabled(changed && !session_.selection().pieces.empty());
 }

@@ -52,6 +52,24 @@ TEST(StudioFabric, TheListTellsWhereAPrintMisses) {
   EXPECT_THAT(told(), HasSubstr("the print misses by up to"));
 }
 
+// The button says which pieces it is about.
+TEST(StudioFabric, WithNothingChosenAllPiecesAreCutAndTheButtonSaysSo) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().boards().setCurrentIndex(2);
+  w.rest();
+  EXPECT_TRUE(w.button("Cut all pieces from it").isEnabled());
+  w.key(Command::SelectAll);
+  w.rest();
+  EXPECT_EQ(w.session().selection().pieces.size(), w.session().snapshot().document.pattern.pieces.size());
+  EXPECT_TRUE(w.button("Cut the chosen pieces from it").isEnabled());
+  w.key(Command::Cancel);
+  w.rest();
+  EXPECT_TRUE(w.session().selection().pieces.empty());
+  EXPECT_TRUE(w.button("Cut all pieces from it").isEnabled());
+}
+
 TEST(StudioFabric, EveryClothOfTheShopHangsOnTheTester) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
