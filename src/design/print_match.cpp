@@ -206,10 +206,14 @@ std::vector<Message> unmatchedSaid(const Document& document, const PhotoTall& ta
   for (const auto& [id, seam] : document.pattern.seams) {
     if (of && id != of) continue;
     // By the name that a script says; faces with words put it in words.
-    if (const auto meets = printMeeting(document, seam, tall); meets && meets->most >= kPrintMeets)
-      all.push_back(say("{0}: the print misses by up to {1} mm, {2} % along the seam",
-                        seam.name.empty() ? seamSaid(document, seam) : say("{0}", seam.name),
-                        fixed(meets->most * 1000, 1), fixed(meets->at * 100, 0)));
+    if (const auto meets = printMeeting(document, seam, tall); meets && meets->most >= kPrintMeets) {
+      const Message miss = say("the print misses by up to {0} mm, {1} % along the seam", fixed(meets->most * 1000, 1),
+                               fixed(meets->at * 100, 0));
+      if (of)
+        all.push_back(miss);  // it is known which
+      else
+        all.push_back(say("{0}: {1}", seam.name.empty() ? seamSaid(document, seam) : say("{0}", seam.name), miss));
+    }
   }
   return all;
 }

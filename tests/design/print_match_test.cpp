@@ -101,7 +101,10 @@ TEST(PrintMatch, AMissIsToldWithItsMeasureAndItsPlace) {
   EXPECT_NEAR(meets->most, 0.007, 1e-9);
   const auto said = unmatchedSaid(s.document(), photosIn(s.room.blobs));
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_THAT(text(said[0]), testing::HasSubstr("misses by up to 7.0 mm"));
+  EXPECT_EQ(text(said[0]), "side: the print misses by up to 7.0 mm, 19 % along the seam");
+  const auto ofIt = unmatchedSaid(s.document(), photosIn(s.room.blobs), s.document().pattern.seams.begin()->first);
+  ASSERT_EQ(ofIt.size(), 1u);
+  EXPECT_EQ(text(ofIt[0]), "the print misses by up to 7.0 mm, 19 % along the seam") << "of one it is known which";
   // Another cloth, or none printed: nothing to match.
   s.play("fabric name=denim piece=back\n");
   EXPECT_FALSE(s.meets("side"));

@@ -42,6 +42,7 @@ TEST(StudioFabric, TheListTellsWhereAPrintMisses) {
   };
   const auto told = [&] { return seamInList() ? seamInList()->toolTip(0).toStdString() : "no such seam"; };
   EXPECT_THAT(told(), HasSubstr("the print misses by up to")) << w.main().said().toStdString();
+  EXPECT_EQ(QString::fromStdString(told()).count("entre"), 1) << told();
   w.keep("studio_print_misses");
   w.session().perform(*parseOperation("match seam=centre"));
   w.rest();

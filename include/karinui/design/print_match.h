@@ -32,7 +32,7 @@ std::optional<PrintMeeting> printMeeting(const Document& document, const Seam& s
 Result<Flat> matchingShift(const Document& document, const Seam& seam, double at, PieceId moved, const PhotoTall& tall);
 
 inline constexpr double kPrintMeets = 0.002;  // metres: what misses by less is called matched
-// Of every seam (or of one) at which a print does not match: by how much, and where.
+// Of every seam (or of one, which is then not named) at which a print does not match: by how much, and where.
 std::vector<Message> unmatchedSaid(const Document& document, const PhotoTall& tall, SeamId of = {});
 
 // Where a repeat of the print begins on one side of a seam in which it matches: a short bar there and where the other
