@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTreeWidget>
 #include <cmath>
@@ -110,11 +111,12 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   auto* boards = new QWidget;
   auto* below = new QVBoxLayout(boards);
   below->setContentsMargins(0, 0, 6, 0);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(boards);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  column->addWidget(scroll, 3);
+  scroll_ = new QScrollArea;
+  scroll_->setObjectName("garment_numbers");
+  scroll_->setWidget(boards);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(scroll_, 3);
 
   pieceBoard_ = new QWidget;
   auto* form = new QFormLayout(pieceBoard_);
@@ -331,8 +333,12 @@ void GarmentPanel::refresh() {
     fillTree();
     fillProperties();
   } else if (!(selectionShown_ == session_.selection())) {
+    // Of another thing of its kind one goes on with the same number; of anything else the first numbers are asked.
+    const bool sameKind = selectionShown_.edge.has_value() == session_.selection().edge.has_value() &&
+                          selectionShown_.pieces.empty() == session_.selection().pieces.empty();
     fillTree();
     fillProperties();
+    if (!sameKind) scroll_->verticalScrollBar()->setValue(0);
   }
   selectionShown_ = session_.selection();
 }

@@ -19,6 +19,7 @@ class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
 class QPushButton;
+class QScrollArea;
 class QSlider;
 class QSpinBox;
 class QTabBar;
@@ -85,6 +86,7 @@ class GarmentPanel : public Panel {
   LengthBox *length_, *takeIn_, *u_, *v_;
   TakeInBoard* takenIn_;
   LengthChoice* stays_;
+  QScrollArea* scroll_;
   AllowanceBoard* allowance_;
   CutBoard* cut_;
   QLabel* sewn_;

@@ -9,6 +9,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSpinBox>
 #include <QTest>
@@ -88,6 +90,25 @@ TEST(StudioTyped, ASeamIsTakenInWhereItIsPinned) {
   EXPECT_TRUE(partners.isChecked());
   chooseEdge(w, "front", "side");
   EXPECT_FALSE(both.isChecked());
+}
+
+// What is chosen next is asked for its first numbers; an edge after an edge for the same number.
+TEST(StudioTyped, TheBoardBeginsAboveForAnotherKindOfThing) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().resize(1200, 700);
+  chooseEdge(w, "front", "hem_left");
+  QScrollBar& bar = *w.main().findChild<QScrollArea*>("garment_numbers")->verticalScrollBar();
+  ASSERT_GT(bar.maximum(), 100);
+  bar.setValue(100);
+  chooseEdge(w, "front", "side_left");
+  EXPECT_EQ(bar.value(), 100);
+  Selection piece;
+  piece.pieces = {w.session().snapshot().document.pieceNamed("back")->id};
+  w.session().select(piece);
+  w.rest();
+  EXPECT_EQ(bar.value(), 0);
 }
 
 TEST(StudioTyped, AMeasureIsTypedWhereverOneClicks) {
