@@ -124,16 +124,18 @@ void Beside::fill(QMenu& menu, QWidget* window) {
   connect(other, &QAction::triggered, this, [this, window] { askFile(window); });
   menu.setToolTipsVisible(true);
   struct Group {
-    Message words, none;
+    Message words, none, why;
     std::vector<Choice> all;
   };
   const Group groups[] = {
-      {say("Another size"), say("This garment has no sizes: it is made to one figure's measures."), sizes()},
-      {say("Another fabric"), say("There is no piece yet."), fabrics()}};
+      {say("Another size"), say("Another size – this garment has none"),
+       say("This garment has no sizes: it is made to one figure's measures."), sizes()},
+      {say("Another fabric"), say("Another fabric – there is no piece yet"), say("There is no piece yet."), fabrics()}};
   for (const Group& one : groups) {
-    QMenu* group = menu.addMenu(inWords(one.words));
-    group->setEnabled(!one.all.empty());
-    if (one.all.empty()) group->menuAction()->setToolTip(inWords(one.none));
+    const bool some = !one.all.empty();
+    QMenu* group = menu.addMenu(inWords(some ? one.words : one.none));  // read without resting on it, too
+    group->setEnabled(some);
+    if (!some) group->menuAction()->setToolTip(inWords(one.why));
     for (const Choice& choice : one.all) add(*group, choice);
   }
 }
