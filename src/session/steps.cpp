@@ -87,6 +87,8 @@ void Session::Impl::takeAdvice(const GarmentSnapshot& before) {
 }
 
 void Session::Impl::perform(Operation operation) {
+  if (state.readOnly)
+    return tell(Notice::Kind::Refused, say("This garment was opened for reading only; keep a copy to work on it."));
   if (const auto* drape = std::get_if<DrapePieces>(&operation)) {
     std::set<PieceId> live;
     for (const PieceRef& ref : drape->live) {
