@@ -166,7 +166,8 @@ void drawCover(PdfCanvas& canvas, const TileGrid& grid, const Sheet& sheet, cons
                tiles.size() + orderPages(grid, settings).size())),
       said(say("3. Lay each sheet on the strip of the one to its left and above, border on the dashed line,")),
       said(say("so that the half diamonds become whole ones, and glue.")),
-      said(say("4. Cut the paper along the solid lines. The kinds of lines are layers of this file.")),
+      said(say("4. Cut the paper along the solid lines. Lines and words that are not wanted can be hidden first,")),
+      said(say("in the list of layers of the program that shows this PDF.")),
   };
   for (const std::string& line : lines) {
     const double fits = std::min(size, size * wide / std::max(1.0, wordsWidth(line, size)));

@@ -252,6 +252,21 @@ TEST(PdfPages, KindsOfLinesAreLayers) {
   }
 }
 
+// Who has the sheets before him and not the program reads on the cover what the layers are for.
+TEST(PdfPages, TheCoverSaysWhatLayersAreFor) {
+  if (std::system("pdftotext -v >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdftotext is not installed";
+  const auto pdf = writePdf(panel(), PaperKind::A4, {});
+  ASSERT_TRUE(pdf);
+  std::string folder = (std::filesystem::temp_directory_path() / "karinui-pdf-XXXXXX").string();
+  ASSERT_TRUE(::mkdtemp(folder.data()));
+  ASSERT_TRUE(writeFile(folder + "/a.pdf", *pdf));
+  ASSERT_EQ(std::system(("pdftotext -l 1 -layout " + folder + "/a.pdf " + folder + "/a.txt").c_str()), 0);
+  const std::string words = test::content(folder + "/a.txt");
+  std::filesystem::remove_all(folder);
+  EXPECT_NE(words.find("can be hidden first"), std::string::npos) << words;
+  EXPECT_NE(words.find("in the list of layers of the program that shows this PDF"), std::string::npos) << words;
+}
+
 TEST(PdfPages, FontsAreEmbeddedAlsoJapaneseOnes) {
   if (std::system("pdffonts -v >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdffonts is not installed";
   SheetSettings settings;
