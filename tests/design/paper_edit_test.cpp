@@ -109,6 +109,23 @@ TEST(PaperEdit, LettingOutTellsWhichSeamsFitNoMore) {
   EXPECT_THAT(t.said, testing::Not(HasSubstr("longer"))) << "told already, and it is little";
 }
 
+// Points dragged on the paper, or cloth that is pulled, leave what is sewn there as it is.
+TEST(PaperEdit, APieceCutAnewTellsWhichSeamsFitNoMore) {
+  Told t;
+  t.play(std::string(kFrontPaper) + kBackPaper);
+  std::string lower = kFrontPaper;
+  lower.replace(lower.find("piece name=front"), 16, "reshape piece=front");
+  lower.replace(lower.find("250 340"), 7, "250 325");
+  lower.replace(lower.find("-250 340"), 8, "-250 325");
+  t.play(lower);
+  EXPECT_THAT(t.said, HasSubstr("back.side_left is 15.0 mm longer than front.side_left, to which it is sewn."));
+  t.said.clear();
+  lower.replace(lower.find("250 325"), 7, "250 323");
+  lower.replace(lower.find("-250 325"), 8, "-250 323");
+  t.play(lower);
+  EXPECT_EQ(t.said, "") << "told already, and it is little";
+}
+
 TEST(PaperEdit, ASlitOnOneHalfKeepsEditsOnBoth) {
   Told t;
   t.play(kFrontPaper);

@@ -93,7 +93,7 @@ Result<Document> perform(const Document& before, const FairEdges& op, Context& c
     if (symmetry) reshape.outline = onBothHalves(was.outline, std::move(reshape.outline), *symmetry);
     if (reshape.outline == was.outline) continue;
     changed = true;
-    auto next = perform(after, reshape, context);
+    auto next = cutAnew(after, reshape);
     if (!next) return next.error();
     after = *std::move(next);
     tellLengths(was, *after.find(id), context);

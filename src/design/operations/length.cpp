@@ -157,7 +157,7 @@ Result<Document> partnersAsWell(const Document& before, Document after, const Se
     ReshapePiece reshape;
     reshape.piece = one.edge.first;
     reshape.outline = *std::move(outline);
-    auto next = perform(Document(after), reshape, context);
+    auto next = cutAnew(after, reshape);
     if (!next) return next.error();
     after = *std::move(next);
     if (context.advise)
@@ -203,7 +203,7 @@ Result<Document> perform(const Document& before, const SetLength& op, Context& c
   reshape.piece = op.edge.piece;
   reshape.symmetric = op.symmetric;
   reshape.outline = *std::move(outline);
-  auto after = perform(before, reshape, context);
+  auto after = cutAnew(before, reshape);
   if (after && op.partners == Choice::Yes) after = partnersAsWell(before, *std::move(after), op, change.keep, context);
   if (!after || !context.advise) return after;
   context.advise({changes(piece.outline, reshape.outline, op)});

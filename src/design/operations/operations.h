@@ -114,6 +114,8 @@ std::string nameOfCopy(const Document& document, const std::string& name);
 // The two are each other's symmetric copies from now on, the first being the one that is copied; not where they are not
 // each other's likeness.
 Document withLikeness(Document document, PieceId piece, PieceId copy);
+// The piece cut anew, with its symmetric copies; as part of another step, which tells by itself what came of it.
+Result<Document> cutAnew(const Document& before, const ReshapePiece& reshape);
 // Tells the sewn edges that became longer or shorter than what they are sewn to.
 void tellSeams(const Document& before, const Document& after, const Context& context);
 // Tells the sewn edges, not gathered, that no longer fit what they are sewn to: off by a tenth or 5 mm more than

@@ -273,7 +273,7 @@ Done resolve(const Document& before, ReshapePiece& reshape, Context& context) {
   return {};
 }
 
-Result<Document> perform(const Document& before, const ReshapePiece& reshape, Context&) {
+Result<Document> cutAnew(const Document& before, const ReshapePiece& reshape) {
   const Piece* old = before.find(reshape.piece.id);
   if (!old) return notFound(say("There is no piece to reshape."));
   const auto cut = reshaped(*old, reshape.outline);
@@ -301,6 +301,12 @@ Result<Document> perform(const Document& before, const ReshapePiece& reshape, Co
     after = withPiece(std::move(after), recut(*other, likewise->outline, mirroredAt, reshape.within));
   }
   return withPiece(std::move(after), std::move(piece));
+}
+
+Result<Document> perform(const Document& before, const ReshapePiece& reshape, Context& context) {
+  auto after = cutAnew(before, reshape);
+  if (after) tellMisfits(before, *after, context);
+  return after;
 }
 
 }  // namespace karinui

@@ -65,7 +65,7 @@ Result<Document> oneByOne(const Document& before, const TakeIn& op, Context& con
       reshape.outline = onBothHalves(piece.outline, std::move(reshape.outline), *symmetry);
     }
     const Document was = after;
-    auto next = perform(was, reshape, context);
+    auto next = cutAnew(was, reshape);
     if (!next) return next.error();
     after = *std::move(next);
     for (const auto& [id, one] : after.pattern.pieces) {  // symmetric copies have followed
@@ -227,7 +227,7 @@ Result<Document> allAtOnce(const Document& before, const TakeIn& op, Context& co
     ReshapePiece reshape;  // marks, seams, the shape in space and the symmetric copy follow as they do there
     reshape.piece = id;
     reshape.outline = std::move(carried->outline);
-    auto next = perform(Document(after), reshape, context);
+    auto next = cutAnew(after, reshape);
     if (!next) return next.error();
     after = *std::move(next);
   }

@@ -64,7 +64,7 @@ Result<Document> perform(const Document& before, const TrueUp& op, Context& cont
       reshape.piece = id;
       const auto symmetry = op.symmetric == Choice::No ? std::nullopt : symmetryOf(was);
       reshape.outline = symmetry ? onBothHalves(was, std::move(outline), *symmetry) : std::move(outline);
-      auto next = perform(after, reshape, context);
+      auto next = cutAnew(after, reshape);
       if (!next) return next.error();
       after = *std::move(next);
     }
