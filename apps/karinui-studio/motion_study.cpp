@@ -29,7 +29,7 @@ StudyItem motionItem(const FitInPose& fit) {
                 fit.pressure ? kilo(fit.pressure->mean) : motionCell("–"),
                 fit.pressure ? kilo(fit.pressure->p99) : motionCell("–")};
   for (const auto& slid : fit.slid)
-    item.cells.push_back(slid ? motionCell((*slid >= 0.0005 ? "+" : "") + fixed(*slid * 1000, 0) + " mm")
+    item.cells.push_back(slid ? motionCell((*slid >= 0.0005 ? "+" : "") + lengthText(*slid).toStdString())
                               : motionCell("–"));
   if (!fit.settled) item.below.push_back(say("did not settle")), item.marked = true;
   item.garment = fit.garment, item.pressure = fit.pressureAt;

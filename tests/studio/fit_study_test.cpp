@@ -161,6 +161,8 @@ TEST(FitStudies, TableAndPictureOfTwoPoses) {
   ASSERT_EQ(study.table().rowCount(), 3);
   EXPECT_EQ(study.table().columnCount(), 10);
   for (int row = 0; row < 3; ++row) EXPECT_THAT(study.table().item(row, 2)->text().toStdString(), HasSubstr("%"));
+  for (int row = 0; row < 3; ++row)
+    EXPECT_THAT(study.table().item(row, 8)->text().toStdString(), HasSubstr(" cm")) << "in the person's own unit";
   EXPECT_THAT(study.dialog->csv(), HasSubstr("pose,settled,strain_mean"));
   EXPECT_FALSE(study.dialog->findChild<QLabel*>("study_picture")->pixmap().isNull());
   study.w.keepDialog(*study.dialog, "studio_motion");
