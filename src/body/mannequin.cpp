@@ -28,7 +28,7 @@ constexpr double kClearOfTrunk = 0.08;  // metres that shoulders are wider at fi
 constexpr double kBelly = 0.1;          // the logarithm of what a belly's girth is scaled by at first
 constexpr Derivative kBellysWaist[] = {{"belly_girth", "waist_girth", 7.0}};
 constexpr double kMostUnlike = 12;  // standard deviations from the mean of the described figures
-constexpr int kMostMissed = 2;    // grids on which what was stated may not be met
+constexpr int kMostMissed = 2;      // grids on which what was stated may not be met
 constexpr double kShifts[] = {0, 0.31, 0.57, 0.13, 0.77, 0.43};
 
 // Feet on the floor and exactly as tall as asked for: the polygonised height is off by about a thousandth.
