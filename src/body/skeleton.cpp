@@ -24,8 +24,9 @@ constexpr double kHipAbove = 0.55;        // of that at the hip, above the groin
 constexpr double kCrotchWide = 0.018;     // of the height: so far from the middle a leg's skin is wholly its own
 constexpr double kAboutArmhole = 0.05, kOffArmhole = 0.085;  // of the height: trunk skin that follows the arm
 constexpr int kEvened = 12;                                  // times a field is smoothed along the skin
-constexpr double kApart = 0.004;         // metres: hands, arms and thighs keep so far from other skin in a named pose
-constexpr double kThickenedOver = 0.03;  // metres
+constexpr double kApart = 0.004;  // metres: hands, arms and thighs keep so far from other skin in a named pose
+constexpr double kShares[] = {1, 0.97, 0.94, 0.91};  // of the way into a named pose
+constexpr double kThickenedOver = 0.03;              // metres
 
 constexpr double kSoft = 0.2;
 // From 0 to 1 over [0, 1]: straight, with rounded ends. Its slope is 1.25 at the most.
@@ -386,17 +387,19 @@ std::size_t Skeleton::usualCrossings(bool apart) const {
 void Skeleton::prepare() const { usualCrossings(false), usualCrossings(true); }
 
 Result<BodyPose> Skeleton::named(const NamedPose& named) const {
-  BodyPose pose = named.pose;
-  for (int k = 0; !pose.empty(); ++k) {
-    if (crossings(pose, kApart) <= usualCrossings(true)) return pose;
-    if (k == named.mostOpened)
-      return refused(say("This figure cannot stand in the pose “{0}” without flesh passing into flesh.", named.said));
-    for (const auto& [joint, by] : named.opening) {
-      JointAngles& angles = pose[joint];
-      angles.flex += by.flex, angles.abduct += by.abduct, angles.turn += by.turn;
+  if (named.pose.empty()) return named.pose;
+  // Where a fold of the skin would still pass through itself, the figure goes nearly so far.
+  for (const double share : kShares) {
+    BodyPose pose = share < 1 ? between({}, named.pose, share) : named.pose;
+    for (int k = 0; k <= named.mostOpened; ++k) {
+      if (crossings(pose, kApart) <= usualCrossings(true)) return pose;
+      for (const auto& [joint, by] : named.opening) {
+        JointAngles& angles = pose[joint];
+        angles.flex += by.flex, angles.abduct += by.abduct, angles.turn += by.turn;
+      }
     }
   }
-  return pose;
+  return refused(say("This figure cannot stand in the pose “{0}” without flesh passing into flesh.", named.said));
 }
 
 Result<BodyPtr> posed(const Skeleton& skeleton, const BodyPose& pose) {

@@ -19,6 +19,8 @@ namespace {
 Measurements person(const std::string& name) {
   if (name == "large")
     return {Sex::Female, {{"bust_girth", 1.16}, {"waist_girth", 1.02}, {"hip_girth", 1.22}, {"height", 1.66}}};
+  if (name == "folds")
+    return {Sex::Female, {{"bust_girth", 0.94}, {"waist_girth", 0.76}, {"hip_girth", 1.01}, {"height", 1.68}}};
   if (name == "child")
     return {Sex::Female, {{"bust_girth", 0.57}, {"waist_girth", 0.52}, {"hip_girth", 0.61}, {"height", 1.10}}};
   return builtInSize(name).value();
@@ -165,6 +167,17 @@ TEST(Pose, AForearmThatIsTurnedKeepsItsGirth) {  // no twisted sweet paper
     const Vec3 middle = lerp(elbow, wrist, share), along = normalized(wrist - elbow);
     EXPECT_NEAR(girthAcross(mesh, middle, along) / girthAcross(bones->body()->mesh(), middle, along), 1, 0.02) << share;
   }
+}
+
+// However far it is opened, the groin of this one folds through itself at 86 degrees.
+TEST(Pose, AFigureThatCannotGoAllTheWayGoesNearlySoFar) {
+  const auto bones = skeletonOf("folds");
+  const NamedPose& seated = *namedPose("seated");
+  const auto pose = bones->named(seated);
+  ASSERT_TRUE(pose) << text(pose.error().what);
+  EXPECT_TRUE(posed(*bones, *pose));
+  EXPECT_LT(pose->at(Joint::LeftKnee).flex, seated.pose.at(Joint::LeftKnee).flex);
+  EXPECT_GT(pose->at(Joint::LeftKnee).flex, 75 * kDegree);
 }
 
 TEST(Pose, PlacesOnTheBodyGoWithTheSkin) {
