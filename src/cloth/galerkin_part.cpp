@@ -313,7 +313,12 @@ void GalerkinPart::addRest(const SlotRange& range) {
   std::vector<Block3>& product = scratch_.product;
   std::vector<std::uint8_t>& has = scratch_.has;
   std::vector<std::uint32_t>& numbers = scratch_.numbers;
-  if (product.size() < sink_.numbers) product.resize(sink_.numbers), has.resize(sink_.numbers);
+  product.resize(std::max(product.size(), sink_.numbers)), has.resize(std::max(has.size(), sink_.numbers));
+  const auto clear = [&] {
+    for (const std::uint32_t number : numbers) product[number] = {}, has[number] = 0;
+    numbers.clear();
+  };
+  clear();  // what was left where memory ran out in the middle of a row
   const auto multiply = [&](std::size_t column, const Block3& block) {
     for (const CoarseWeight& entry : interpolation_.of(column)) {
       if (!has[entry.node]) numbers.push_back(entry.node);
@@ -330,12 +335,9 @@ void GalerkinPart::addRest(const SlotRange& range) {
       multiply(slot, {d[0][slot], d[1][slot], d[2][slot], d[1][slot], d[3][slot], d[4][slot], d[2][slot], d[4][slot],
                       d[5][slot]});
     }
-    for (const std::uint32_t number : numbers) {
+    for (const std::uint32_t number : numbers)
       for (const CoarseWeight& entry : own) addEntry(entry.node, number, product[number], entry.weight);
-      product[number] = {};
-      has[number] = 0;
-    }
-    numbers.clear();
+    clear();
   }
 }
 

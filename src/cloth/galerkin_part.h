@@ -116,7 +116,7 @@ class GalerkinPart {
 
   struct Scratch {  // of a thread
     std::vector<float> terms, sums;
-    std::vector<Block3> product;  // of a row with P, per number; nothing between two rows
+    std::vector<Block3> product;  // of a row with P, per number; none between two rows
     std::vector<std::uint8_t> has;
     std::vector<std::uint32_t> numbers;  // that have some
   };
