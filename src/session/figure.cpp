@@ -14,6 +14,7 @@ std::optional<std::size_t> lastFigure(const std::vector<Step>& steps) {
 }  // namespace
 
 const SetBody* Session::figure() const {
+  if (impl_->figureAsked) return &*impl_->figureAsked;
   const auto last = lastFigure(steps());
   return last ? &std::get<SetBody>(steps()[*last].operation) : nullptr;
 }
@@ -51,7 +52,16 @@ void Session::applyFigure(SetBody body) {
   if (in.state.readOnly || !last) return perform(std::move(body));
   if (std::get<SetBody>(in.state.steps[*last].operation) == body) return in.dropGesture(), in.settleInterrupted();
   const SnapshotPtr seen = in.preview;
-  amend(*last + 1, std::move(body));
+  // Asked for before this one and not there yet: it goes on where this one is refused. One measure is typed after
+  // another, faster than a garment is draped.
+  const std::optional<SetBody> before = in.figureAsked;
+  in.amend(*last + 1, body, [this, body, before](const Done& done) {
+    auto& own = *impl_;
+    if (own.figureAsked != body) return;  // another one is asked for
+    own.figureAsked.reset();
+    if (!done && done.error().kind != Error::Kind::Cancelled && before) applyFigure(*before);
+  });
+  in.figureAsked = std::move(body);
   in.preview = seen;
 }
 

@@ -41,6 +41,7 @@ struct Session::Impl {
   std::optional<std::filesystem::path> damaged;   // that was not opened
   std::optional<std::filesystem::path> openBody;  // that was not taken, for its surface has holes
   bool poseStopped = false;                       // by the person, while the figure is on its way
+  std::optional<SetBody> figureAsked;             // whose steps are being played again
   bool past = false;                              // steps are being played again, and what is shown is from before
   std::optional<Flat> drawnAt;                    // where the next new piece comes to lie on the table
   std::vector<Notice> notices;
@@ -109,6 +110,7 @@ struct Session::Impl {
   void takeAdvice(const GarmentSnapshot& before);
   void makeReady();  // finds out, while nobody waits, what drapes and poses of a figure that is new here will ask
   void perform(Operation operation);
+  void amend(std::size_t which, Operation operation, std::function<void(const Done&)> then = {});
   void turn(bool back);  // one step back or forth; a drape that came by itself goes with the step it belongs to
   void goTo(std::uint64_t seq, std::uint64_t towards = 0);
   std::uint64_t head() const { return state.steps.empty() ? 0 : state.steps.back().seq; }

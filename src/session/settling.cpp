@@ -43,6 +43,7 @@ void Session::Impl::interruptSettling() {
 
 void Session::Impl::dropSettling() {
   tasks.cancel(TaskQueue::Kind::Settle);
+  figureAsked.reset();
   schedule.drop();
   if (preview && !gesture->begun() && !trial.active()) preview.reset(), ++changes.garment;
 }

@@ -212,38 +212,38 @@ void Session::goTo(std::size_t steps) {
 const std::vector<Step>& Session::otherBranches() const { return impl_->state.otherBranches; }
 void Session::switchBranch(const Step& end) { impl_->goTo(end.seq); }
 
-void Session::amend(std::size_t which, Operation operation) {
-  auto& in = *impl_;
-  KARINUI_ASSERT(which >= 1 && which <= in.state.steps.size());
+void Session::amend(std::size_t which, Operation operation) { impl_->amend(which, std::move(operation)); }
+
+void Session::Impl::amend(std::size_t which, Operation operation, std::function<void(const Done&)> then) {
+  KARINUI_ASSERT(which >= 1 && which <= state.steps.size());
   // What a reshape led to is kept with it; pulled otherwise it leads elsewhere.
   if (auto* now = std::get_if<ReshapePiece>(&operation))
-    if (const auto* old = std::get_if<ReshapePiece>(&in.state.steps[which - 1].operation);
+    if (const auto* old = std::get_if<ReshapePiece>(&state.steps[which - 1].operation);
         old && now->outline == old->outline && !(*now == *old) && !now->at.empty())
       now->outline = {};
-  in.dropGesture();
-  in.dropSettling();
-  const std::uint64_t old = in.head();
-  in.past = true;
-  ++in.changes.garment;
-  in.tasks.add(TaskQueue::Kind::Settle,
-               [this, which, old, operation = std::move(operation)](const Token& token) mutable {
-                 auto& inside = *impl_;
-                 const Done done = inside.documentWorker->amend(which, std::move(operation), token);
-                 const auto fresh = std::make_shared<DocumentState>(inside.documentWorker->state(token));
-                 return [this, done, old, which, fresh] {
-                   auto& own = *impl_;
-                   own.past = false;
-                   if (!done) {
-                     own.tellError(done.error());
-                     own.preview.reset();
-                     ++own.changes.garment;
-                     return;
-                   }
-                   own.take(*fresh);
-                   own.amended.push_back({old, own.head()});
-                   own.tell(Notice::Kind::Said, say("Step {0} was changed, and all that followed done again.", which));
-                 };
-               });
+  dropGesture();
+  dropSettling();
+  const std::uint64_t old = head();
+  past = true;
+  ++changes.garment;
+  tasks.add(TaskQueue::Kind::Settle,
+            [this, which, old, operation = std::move(operation), then = std::move(then)](const Token& token) mutable {
+              const Done done = documentWorker->amend(which, std::move(operation), token);
+              const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
+              return [this, done, old, which, fresh, then = std::move(then)] {
+                past = false;
+                if (done) {
+                  take(*fresh);
+                  amended.push_back({old, head()});
+                  tell(Notice::Kind::Said, say("Step {0} was changed, and all that followed done again.", which));
+                } else {
+                  tellError(done.error());
+                  preview.reset();
+                  ++changes.garment;
+                }
+                if (then) then(done);
+              };
+            });
 }
 
 void Session::snapshotAfter(std::uint64_t seq, std::function<void(SnapshotPtr)> then) {

@@ -555,6 +555,12 @@ TEST(Session, AFigureThatIsWornPlaysTheStepsAgainOnIt) {
   session.finish();
   EXPECT_EQ(session.takeNotices().size(), 1u);
   EXPECT_EQ(*session.figure(), before) << "no body is so";
+  SetBody typed = before, never = before;  // one measure after another
+  typed.set = {{"bust_girth", {0.93}}}, never.set = {{"bust_girth", {0.93}}, {"waist_girth", {5.0}}};
+  session.applyFigure(typed);
+  session.applyFigure(never);
+  session.finish();
+  EXPECT_EQ(*session.figure(), typed) << "the first goes on where the second is refused";
 }
 
 // What is brought to rest by itself takes along what it pulls at, unless that is frozen; what was asked for does not.

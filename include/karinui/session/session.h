@@ -178,9 +178,10 @@ class Session {
   // built, and Cancel, or the next step, shows what is there again.
   void previewFigure(SetBody body);
   // The figure that was chosen last becomes this one, and every step that followed is played again on it: made to
-  // measure. Space stops it, one undo brings the old figure back.
+  // measure. Space stops it, one undo brings the old figure back. Refused, the one that was asked for before it and is
+  // not there yet goes on.
   void applyFigure(SetBody body);
-  const SetBody* figure() const;  // as it was chosen last; null: not yet
+  const SetBody* figure() const;  // as it was chosen last, also where it is not there yet; null: none
 
   // --- time
   bool update();  // takes in what was finished; true: something is new
