@@ -38,19 +38,9 @@ Grading fromTheStanding(Grading grading) {
 }
 
 SetFabric described(const std::string& name, const Fabric& fabric) {
-  SetFabric op;
+  SetFabric op = stepOf(fabric);
   op.name = name;
   op.like = preset(name) ? name : std::string(presets().front().name);
-  op.law = fabric.law;
-  op.weight = fabric.weight;
-  op.stretchWarp = fabric.stretchWarp, op.stretchWeft = fabric.stretchWeft;
-  op.stiffenWarp = fabric.stiffenWarp, op.stiffenWeft = fabric.stiffenWeft;
-  op.shear = fabric.shear, op.shearStiffen = fabric.shearStiffen;
-  op.bendWarp = fabric.bendWarp, op.bendWeft = fabric.bendWeft;
-  op.compression = fabric.compression;
-  op.toeWarp = fabric.toeWarp, op.toeWeft = fabric.toeWeft;
-  op.frictionBody = fabric.frictionBody, op.frictionCloth = fabric.frictionCloth;
-  op.thickness = Length{fabric.thickness};
   return op;
 }
 

@@ -8,6 +8,21 @@
 
 namespace karinui {
 
+SetFabric stepOf(const Fabric& fabric) {
+  SetFabric step;
+  step.name = fabric.name;
+  step.law = fabric.law;
+  step.weight = fabric.weight, step.thickness = Length{fabric.thickness};
+  step.stretchWarp = fabric.stretchWarp, step.stretchWeft = fabric.stretchWeft;
+  step.toeWarp = fabric.toeWarp, step.toeWeft = fabric.toeWeft;
+  step.stiffenWarp = fabric.stiffenWarp, step.stiffenWeft = fabric.stiffenWeft;
+  step.compression = fabric.compression;
+  step.shear = fabric.shear, step.shearStiffen = fabric.shearStiffen;
+  step.bendWarp = fabric.bendWarp, step.bendWeft = fabric.bendWeft;
+  step.frictionBody = fabric.frictionBody, step.frictionCloth = fabric.frictionCloth;
+  return step;
+}
+
 std::vector<std::string> unknownFabrics(const Pattern& pattern, const Document& into) {
   std::set<std::string> names;
   for (const auto& [id, piece] : pattern.pieces)
@@ -32,20 +47,9 @@ std::vector<Fabric> toldFabrics(const Pattern& pattern, const Document& into,
   return all;
 }
 
-// A step that gives a fabric all its values.
 SetFabric describing(const Fabric& fabric, const Document& into) {
-  SetFabric step;
-  step.name = fabric.name;
+  SetFabric step = stepOf(fabric);
   if (!fabricNamed(into, fabric.name)) step.like = Piece().fabric;
-  step.law = fabric.law;
-  step.weight = fabric.weight, step.thickness = Length{fabric.thickness};
-  step.stretchWarp = fabric.stretchWarp, step.stretchWeft = fabric.stretchWeft;
-  step.toeWarp = fabric.toeWarp, step.toeWeft = fabric.toeWeft;
-  step.stiffenWarp = fabric.stiffenWarp, step.stiffenWeft = fabric.stiffenWeft;
-  step.compression = fabric.compression;
-  step.shear = fabric.shear, step.shearStiffen = fabric.shearStiffen;
-  step.bendWarp = fabric.bendWarp, step.bendWeft = fabric.bendWeft;
-  step.frictionBody = fabric.frictionBody, step.frictionCloth = fabric.frictionCloth;
   return step;
 }
 

@@ -13,6 +13,8 @@ struct CuttingNotes {
   std::map<PieceId, Cutting> quantities;
   Allowances allowances;  // widths of edges
 };
+SetFabric stepOf(const Fabric& fabric);  // gives a fabric of this name all its values
+
 // Fabrics that the pattern names and that neither the shop nor `into` knows. A pattern tells no more of them.
 std::vector<std::string> unknownFabrics(const Pattern& pattern, const Document& into);
 // To the person, for each of them.
