@@ -25,7 +25,9 @@ constexpr double kNear = 0.6, kGood = 0.4;  // worst residuals, in tolerances, a
 constexpr double kHopeless = 6;             // and at which a finer grid, which moves the tape by 1 or 2, cannot help
 constexpr std::string_view kOffForm[] = {"crotch", "elbow", "wrist", "knee", "ankle"};  // landmarks a dress form lacks
 constexpr double kClearOfTrunk = 0.08;  // metres that shoulders are wider at first, for a stout figure's arms
-constexpr double kBelly = 0.1;          // the logarithm of what a belly's girth is scaled by at first
+constexpr double kWaistOfBelly = 0.97;  // of the hip: a waist as wide is likely a belly's
+constexpr double kBustMoved = 6;        // tolerances
+constexpr double kLittleBelly = 0.02, kBelly = 0.1;  // the logarithm of what a belly's girth is scaled by at first
 constexpr Derivative kBellysWaist[] = {{"belly_girth", "waist_girth", 7.0}};
 constexpr double kMostUnlike = 12;  // standard deviations from the mean of the described figures
 constexpr int kMostMissed = 2;      // grids on which what was stated may not be met
@@ -179,7 +181,8 @@ struct Making {
   const Token& token;
   MannequinEnds ends = MannequinEnds::Modelled;
   double wider = 0;    // metres, of the shoulders
-  bool belly = false;  // whether the waist may be that of a belly
+  double belly = 0;    // more than 0: the waist may be that of a belly, whose girth is scaled by so much (logarithm)
+  bool stout = false;  // refused where the bust is a shelf of the ribs, off its usual height
 };
 
 Result<BodyPtr> made(const Measurements& wanted, const Making& making, Unmet& unmet) {
@@ -206,10 +209,10 @@ Result<BodyPtr> made(const Measurements& wanted, const Making& making, Unmet& un
   std::vector<Target> targets = targetsFor(wanted, complete, model, drawn.at);
   std::span<const Derivative> free;
   Alteration start{{"shoulder_width", making.wider}};
-  if (making.belly) {  // where it is, is where the waist is
+  if (making.belly > 0) {  // where it is, is where the waist is
     std::erase_if(targets, [](const Target& target) { return target.key == "waist_height" && !target.stated; });
     free = kBellysWaist;
-    start["belly_girth"] = kBelly;
+    start["belly_girth"] = making.belly;
   }
   FigureSolver solver(std::move(targets), free);
   solver.startAt(start);
@@ -272,6 +275,9 @@ Result<BodyPtr> made(const Measurements& wanted, const Making& making, Unmet& un
     met = false;
   }
   if (!met) return unsound();
+  if (making.stout)
+    for (const Residual& residual : residuals(solver.targets(), now.measured))
+      if (residual.key == "bust_height" && residual.relative > kBustMoved) return unsound();
 
   Body::Parts parts;
   parts.name = "mannequin";
@@ -312,7 +318,7 @@ Result<BodyPtr> made(const Measurements& wanted, const Making& making, Unmet& un
 // The stated girth without which the others can be met: what the solver's slopes do not tell where it stopped far off.
 std::string inTheWay(const Measurements& wanted, const Unmet& unmet, const Making& by) {
   Unmet ignored;
-  for (const char* key : {"waist_girth", "hip_girth", "belly_girth", "under_bust_girth", "bust_girth"}) {
+  for (const char* key : {"under_bust_girth", "waist_girth", "hip_girth", "belly_girth", "bust_girth"}) {
     Measurements others = wanted;
     if (key == unmet.key || others.value.erase(key) == 0 || by.token.cancelled()) continue;
     if (made(others, by, ignored)) return key;
@@ -349,14 +355,18 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
   if (body || unmet.key.empty()) return body;
   // The arms of a stout figure, as it is drawn, lie in its trunk, where no tape goes round them. And whose waist is as
   // wide as the hip has a belly there.
-  const bool belly = wanted.value.contains("waist_girth") && !wanted.value.contains("belly_girth");
-  for (const bool has : {true, false})
-    for (const double wider : {0.0, kClearOfTrunk}) {
-      if (has ? !belly : wider == 0) continue;
-      Unmet ignored;
-      if (auto other = made(wanted, {workers, token, ends, wider, has}, ignored); other || token.cancelled())
-        return other;
-    }
+  const auto stated = [&](const char* key) { return wanted.value.contains(key) ? wanted.value.at(key) : 0; };
+  std::vector<std::pair<double, double>> others{{kClearOfTrunk, 0}, {2 * kClearOfTrunk, 0}};  // wider; a belly
+  if (stated("waist_girth") > 0 && stated("belly_girth") == 0) {
+    const bool likely = stated("waist_girth") > kWaistOfBelly * stated("hip_girth");
+    others.insert(likely ? others.begin() : others.end(),
+                  {{0, kBelly}, {kClearOfTrunk, kLittleBelly}, {kClearOfTrunk, kBelly}});
+  }
+  for (const auto& [wider, has] : others) {
+    Unmet ignored;
+    auto other = made(wanted, {workers, token, ends, wider, has, true}, ignored);
+    if (other || token.cancelled()) return other;
+  }
   if (unmet.other.empty()) {
     unmet.other = inTheWay(wanted, unmet, by);
     if (!unmet.other.empty()) unmet.otherWanted = wanted.value.at(unmet.other);

@@ -293,6 +293,30 @@ TEST(Mannequin, AWaistAsWideAsTheHipIsABellys) {
   }
 }
 
+// The hip is the seat's, not the under side of a belly as wide; the bust lies where it usually does, not on a shelf of
+// the ribs; the waist of a woman with a belly lies above it.
+TEST(Mannequin, AStoutFigureHasSeatBustAndWaist) {
+  const auto figure = [](Sex sex, double height, double bust, double waist, double hip) {
+    return Measurements{sex, {{"height", height}, {"bust_girth", bust}, {"waist_girth", waist}, {"hip_girth", hip}}};
+  };
+  for (const Measurements& wanted :
+       {figure(Sex::Male, 1.76, 1.20, 1.25, 1.18), figure(Sex::Female, 1.65, 1.20, 1.15, 1.22),
+        figure(Sex::Female, 1.60, 1.24, 1.18, 1.18)}) {
+    const BodyPtr body = made(wanted);
+    if (!body) continue;
+    meets(wanted, *body);
+    const auto said = [&](const char* key) { return body->measured().value.at(key); };
+    const double height = said("height");
+    EXPECT_LT(said("hip_height"), said("crotch_height") + 0.03 * height);
+    if (wanted.sex == Sex::Female) {
+      EXPECT_GT(said("bust_height"), 0.70 * height);
+      EXPECT_GT(said("waist_height"), 0.60 * height);
+      EXPECT_GT(said("bust_girth"), said("under_bust_girth") + 0.03);
+    }
+    if (!atLength()) break;
+  }
+}
+
 // Arms that are thick enough to lie at the trunk, where the tape jumps from grid to grid, are no quarrel.
 TEST(Mannequin, ThickArmsOfAStoutFigureAreMade) {
   for (const double arm : {0.40, 0.39}) {

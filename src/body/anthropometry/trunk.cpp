@@ -26,12 +26,15 @@ constexpr double kHipReach = 0.12;                // of a contour's centre from 
 constexpr double kHipLine = 0.08;                 // shorter contours are hands
 constexpr double kHipFrom = 0.01, kHipTo = 0.20;  // metres above the crotch
 constexpr int kHipSamples = 20;
+constexpr double kValley = 0.01;  // metres of girth: what lies above a narrower place below a belly is the belly
 
 // --- Bust
 constexpr double kUnderArmpit = 0.003;      // metres: no tape nearer to the armpit
 constexpr double kBustPointsBelow = 0.055;  // below the armpit
 constexpr double kBustPointOut = 0.028;     // a bust point lies farther out than the breastbone
 constexpr double kBustReach = 0.012;        // of the tape's level from that of the bust points
+constexpr double kNoWaist = 0.95;           // of the chest: a waist as wide has none
+constexpr double kBosomOut = 0.002;         // less is no bust above a belly
 constexpr int kBustPointSamples = 14, kBustSamples = 13;
 constexpr double kChestFrom = 0.72;  // of the way from the crotch to the armpit
 constexpr int kChestSamples = 22;
@@ -49,6 +52,7 @@ constexpr double kHipUnderBelly = 0.09;  // … that the tape round the hip leav
 constexpr double kWaistAboveCrotch = 0.10, kWaistAboveHip = 0.05, kWaistRoom = 0.16;  // metres
 constexpr double kRibs = 0.065;  // below the bust: no waist is sought above, ribs may be slimmer
 constexpr int kWaistSamples = 28;
+constexpr double kBellyOver = 0.03;  // metres of girth that a belly above such a narrow place is wider
 constexpr double kNoWaistUnder = 2;  // a belly that stands out by half or more has its waist on its own level
 
 bool legsMeet(const Survey& body, double y) {
@@ -91,6 +95,17 @@ double hipGirth(const Survey& body, double y) {
   return points.size() < 3 ? 0 : tightTapeLength(points, {0, 1, 0});
 }
 
+// The widest level round the seat. Where a belly is as wide, the trunk is narrower between the two.
+GirthLevel hipLevel(const Survey& body, double low, double high) {
+  const auto girth = [&](double y) { return hipGirth(body, y); };
+  const GirthLevel widest = extremum(Extremum::Largest, low, high, kHipSamples, girth);
+  if (widest.y < body.crotch + kHipUnderBelly) return widest;
+  const GirthLevel narrow = extremum(Extremum::Smallest, low, widest.y, kHipSamples, girth);
+  if (!(narrow.y > low)) return widest;
+  const GirthLevel seat = extremum(Extremum::Largest, low, narrow.y, kHipSamples, girth);
+  return seat.girth - narrow.girth > kValley && widest.girth - narrow.girth > kValley ? seat : widest;
+}
+
 double foremostBust(const Survey& body, double y) {
   double most = -1;
   if (const auto contour = trunkContour(body, y))
@@ -118,19 +133,35 @@ Vec3 onTrunk(const Survey& body, double y, double t) {
 }
 
 // A woman's bust is taken around the bust points, so that a full arm does not draw the tape up into the armpit; a man's
-// chest where it is widest, which may be right under the armpit. How much a bust stands out says which it is.
+// chest where it is widest, which may be right under the armpit. How much a bust stands out says which it is. Without a
+// waist, what is widest far below the armpits is the belly, and a bust is what stands out from the slope above it.
 GirthLevel measureBust(Survey& body) {
   const auto girth = [&](double y) { return trunkGirth(body, y); };
+  const auto front = [&](double y) { return foremostBust(body, y); };
   const double highest = body.armpit - kUnderArmpit, reach = kBustReach * body.stature;
-  const GirthLevel points = extremum(Extremum::Largest, body.armpit - kBustPointsBelow * body.stature, highest,
-                                     kBustPointSamples, [&](double y) { return 1 + foremostBust(body, y); });
-  const GirthLevel bust =
-      plateauExtremum(Extremum::Largest, points.y - reach, std::min(highest, points.y + reach), kBustSamples, girth);
+  const double lowest = body.armpit - kBustPointsBelow * body.stature;
+  const auto foremost = [&](const auto& out) {
+    return extremum(Extremum::Largest, lowest, highest, kBustPointSamples, [&](double y) { return 1 + out(y); });
+  };
+  const auto taped = [&](const GirthLevel& points) {
+    return plateauExtremum(Extremum::Largest, points.y - reach, std::min(highest, points.y + reach), kBustSamples,
+                           girth);
+  };
+  const GirthLevel points = foremost(front), bust = taped(points);
   body.bosom =
       std::clamp(((bust.girth - girth(bust.y - kUnderBust)) / body.stature - kFlat) / kFullBeyondFlat, 0.0, 1.0);
   if (body.bosom >= 0.5) return bust;
-  return extremum(Extremum::Largest, body.crotch + kChestFrom * (body.armpit - body.crotch), highest, kChestSamples,
-                  girth);
+  const double from = body.crotch + kChestFrom * (body.armpit - body.crotch);
+  const GirthLevel chest = extremum(Extremum::Largest, from, highest, kChestSamples, girth);
+  if (chest.y >= lowest) return chest;
+  const GirthLevel waist =
+      extremum(Extremum::Smallest, body.crotch + kWaistAboveCrotch, std::max(from, lowest), kWaistSamples, girth);
+  if (waist.girth < kNoWaist * chest.girth) return chest;
+  if (points.y > lowest) return bust;
+  const double low = front(lowest), high = front(highest);
+  const GirthLevel bosom =
+      foremost([&](double y) { return front(y) - std::lerp(low, high, (y - lowest) / (highest - lowest)); });
+  return bosom.girth > 1 + kBosomOut * body.stature ? taped(bosom) : bust;
 }
 
 struct Belly {
@@ -205,12 +236,18 @@ void measureTrunk(Survey& body) {
   const double underBust = bust.y - kUnderBust;
   const Belly belly = findBelly(body);
   body.found.belly = belly.standsOut > 0;
-  const GirthLevel hip = extremum(Extremum::Largest, body.crotch + kHipFrom,
-                                  body.crotch + std::lerp(kHipTo, kHipUnderBelly, belly.standsOut), kHipSamples,
-                                  [&](double y) { return hipGirth(body, y); });
+  const GirthLevel hip =
+      hipLevel(body, body.crotch + kHipFrom, body.crotch + std::lerp(kHipTo, kHipUnderBelly, belly.standsOut));
+  const double ribs = std::max(bust.y - kRibs * body.stature, body.crotch + kWaistRoom);
   GirthLevel waist =
-      plateauExtremum(Extremum::Smallest, std::max(body.crotch + kWaistAboveCrotch, hip.y + kWaistAboveHip),
-                      std::max(bust.y - kRibs * body.stature, body.crotch + kWaistRoom), kWaistSamples, girth);
+      plateauExtremum(Extremum::Smallest, std::max(body.crotch + kWaistAboveCrotch, hip.y + kWaistAboveHip), ribs,
+                      kWaistSamples, girth);
+  // Below a belly the trunk is narrow, too; where it is narrow above as well, the waist is there.
+  const GirthLevel widest = extremum(Extremum::Largest, waist.y, ribs, kWaistSamples, girth);
+  if (widest.y > waist.y && widest.y < ribs && widest.girth - waist.girth > kBellyOver) {
+    const GirthLevel above = plateauExtremum(Extremum::Smallest, widest.y, ribs, kWaistSamples, girth);
+    if (widest.girth - above.girth > kValley) waist = above;
+  }
   // Under a man's belly that stands out, where no narrower place lies above it, the trunk is narrow too, but that is
   // the hip.
   const double noWaist = std::fmin(1, kNoWaistUnder * belly.standsOut) * std::clamp(1 - 2 * body.bosom, 0.0, 1.0);
