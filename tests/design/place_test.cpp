@@ -600,6 +600,46 @@ TEST_F(Placed, LowerBlocksGoOverABelly) {
   }
 }
 
+// What nothing below the waist would hold up is drafted for the high hip, below the belly; any figure may have
+// hipsters. A record from before stays at the waist.
+TEST_F(Placed, LowerBlocksAreWornWhereTheyHold) {
+  const auto drafted = [&](const std::string& figure, const std::string& block) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(file, "body " + figure + "\nblock trued=no " + block + "\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    return file.document();
+  };
+  const auto said = [&](const Document& document, const char* key) {
+    return bodyOf(document, room().context).value()->measured().value.at(key);
+  };
+  // Half of the upper edge of a skirt, and how high the middle of the front stands.
+  const auto edge = [](const Document& document) {
+    return findEdge(*document.pieceNamed("skirt_front"), "waist_left")->curve.length() +
+           findEdge(*document.pieceNamed("skirt_front"), "waist_right")->curve.length();
+  };
+  const auto high = [](const Document& document, const char* piece) {
+    const Outline& outline = document.pieceNamed(piece)->outline;
+    double top = -1e9;
+    for (const Flat p : outline.flattened(1e-3)) top = std::max(top, Stand(*document.pieceNamed(piece))(p).y);
+    return top;
+  };
+  const std::string stout = "sex=male set=\"height=176cm; bust=108cm; waist=112cm; hip=110cm\" ";
+  const Document skirt = drafted(stout, "kind=skirt"), atWaist = drafted(stout, "kind=skirt worn=waist");
+  EXPECT_NEAR(edge(skirt), said(skirt, "high_hip_girth") / 2, 0.02);
+  EXPECT_NEAR(edge(atWaist), said(skirt, "hip_girth") / 2, 0.03) << "no wider than there is cloth at the hip";
+  EXPECT_NEAR(high(drafted(stout, "kind=trousers"), "leg_front_left"), said(skirt, "high_hip_height") + 0.01, 0.02);
+  const std::string usual = "size=eu38 ";
+  for (const char* kind : {"skirt", "trousers", "leggings"}) {
+    const std::string name = std::string("kind=") + kind;
+    const Document holds = drafted(usual, name), waist = drafted(usual, name + " worn=waist");
+    for (const auto& [id, piece] : holds.pattern.pieces)
+      EXPECT_EQ(boxOf(piece->outline.flattened(1e-3)).high.v, boxOf(waist.find(id)->outline.flattened(1e-3)).high.v);
+    EXPECT_LT(
+        high(drafted(usual, name + " worn=high_hip"), kind == std::string("skirt") ? "skirt_front" : "leg_front_left"),
+        high(waist, kind == std::string("skirt") ? "skirt_front" : "leg_front_left") - 0.08);
+  }
+}
+
 // The front and the back of a gathered skirt stand before and behind the body in waves, side to side.
 TEST_F(Placed, AWideFrontAndBackStandInWaves) {
   const std::string panels =

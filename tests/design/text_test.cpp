@@ -121,6 +121,7 @@ struct Dice {
   void fill(PleatKind& v) { v = static_cast<PleatKind>(below(3)); }
   void fill(AddPleat::Turned& v) { v = static_cast<AddPleat::Turned>(below(4)); }
   void fill(SetLength::Keep& v) { v = static_cast<SetLength::Keep>(below(4)); }
+  void fill(DraftBlock::Worn& value) { value = static_cast<DraftBlock::Worn>(below(4)); }
   void fill(DraftBlock::Kind& value) { value = static_cast<DraftBlock::Kind>(below(6)); }
   void fill(Finish& v) { v = static_cast<Finish>(below(10)); }
   void fill(PrintKind& v) { v = static_cast<PrintKind>(below(5)); }

@@ -1,6 +1,9 @@
 #include "design/blocks/draft.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "karinui/geometry/section.h"
 
 namespace karinui {
 
@@ -17,6 +20,21 @@ Measured::Belly Measured::belly() const {
   const auto girth = all.find("belly_girth"), high = all.find("belly_height");
   if (girth == all.end() || high == all.end() || girth->second <= (*this)("hip_girth")) return {};
   return {girth->second, std::fmax(0, (*this)("waist_height") - high->second)};
+}
+
+double Measured::widestUnderWaist() const {
+  constexpr int kLevels = 16;
+  const TriangleMesh& mesh = body_.own().mesh();
+  const double low = (*this)("hip_height"), high = (*this)("waist_height");
+  double widest = std::fmax((*this)("hip_girth"), (*this)("waist_girth"));
+  for (int k = 1; k < kLevels; ++k)
+    for (const SectionLoop& loop : section(mesh, {{0, std::lerp(low, high, double(k) / kLevels), 0}, {0, 1, 0}})) {
+      const auto side = [](Vec3 a, Vec3 b) { return a.x < b.x; };
+      const auto [left, right] = std::minmax_element(loop.points.begin(), loop.points.end(), side);
+      if (left->x < 0 && right->x > 0)  // no arm
+        widest = std::fmax(widest, tightTapeLength(loop.points, {0, 1, 0}));
+    }
+  return widest;
 }
 
 std::optional<double> Measured::aside(const std::string& landmark) const {

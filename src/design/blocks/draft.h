@@ -21,6 +21,7 @@ class Measured {
     double girth = 0, belowWaist = 0;
   };
   Belly belly() const;
+  double widestUnderWaist() const;  // the girth of the trunk where it is widest between waist and hip
   // Metres to the left of the middle; nothing where the figure has no such landmark.
   std::optional<double> aside(const std::string& landmark) const;
   bool female() const { return body_.measured().sex == Sex::Female; }
@@ -71,12 +72,14 @@ struct Draft {
   std::vector<DraftDart> darts;
   std::vector<DraftSeam> seams;
   std::vector<DraftBand> bands;
+  std::optional<double> height;   // metres above the floor at which v = 0 of flat pieces stands; none: the waist's
   std::optional<Message> advice;  // on what it will look like
 };
 
 struct BlockWish {
   std::optional<double> ease, length;
   bool belly = false;  // lower pieces have room for a belly that is wider than the hip
+  DraftBlock::Worn worn = DraftBlock::Worn::Waist;
 };
 Result<Draft> bodiceDraft(const Measured& of, const BlockWish& wish);
 Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish);

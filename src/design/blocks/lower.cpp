@@ -12,16 +12,44 @@ namespace {
 struct Quarter {
   double waist = 0, hip = 0, dart = 0;  // waist: as drawn, the dart's width included
 };
-Quarter quarterOf(double waist, double hip, double atSide) {
-  const double less = std::fmax(0, hip - waist), side = std::fmin(atSide, 0.5 * less);
+constexpr double kLeastDart = 0.006;
+Quarter quarterOf(double waist, double hip, double atSide, bool exact) {
+  const double less = std::fmax(0, hip - waist);
+  double side = std::fmin(atSide, 0.5 * less);
+  if (exact && less - side < kLeastDart) side = less;  // what is too little for a dart goes at the side, too
   return {hip - side, hip, less - side};
 }
 
-// What a quarter of the front is wider than one of the back: a belly that is wider than the hip stands out in front.
-// Where the waist is wider than the hip, too, nothing would hold up what has room for both; it is worn below the belly.
-double bellyRoom(const Measured& of, const BlockWish& wish, bool front) {
+// Where the upper edge lies. What is worn holds by what is wider below it.
+struct Top {
+  bool atWaist = true;
+  double girth = 0, height = 0;  // metres; height above the floor
+  double ease = 0.02;
+  bool exact = false;  // no wider than that for want of a dart
+  double raised = 0;   // metres that the middle of the back is raised by besides
+  double belly = 0;    // metres that the front is wider than the back, for a belly that is wider than the hip
+};
+Top topOf(const Measured& of, const BlockWish& wish) {
+  using Worn = DraftBlock::Worn;
+  constexpr double kHolds = 0.02, kBetter = 0.01;  // metres of girth that what lies below is wider by
+  constexpr double kFirm = 0.04;  // metres that the edge is narrower by than what lies below, where that can be
+  Top top{true, of("waist_girth"), of("waist_height")};
   const double hip = of("hip_girth");
-  return wish.belly && front && of("waist_girth") <= hip ? std::fmax(0, of.belly().girth - hip) / 2 : 0;
+  const auto low = [&] {
+    return Top{false, std::fmin(of("high_hip_girth"), hip), of("high_hip_height"), 0.005, true, 0.015};
+  };
+  if (wish.worn == Worn::HighHip) return low();
+  // Where the waist is wider than the hip nothing but a belly below it holds up what has room for one.
+  if (wish.belly && top.girth <= hip) top.belly = std::fmax(0, of.belly().girth - hip);
+  if (wish.worn != Worn::Holds) return top;
+  top.exact = true;
+  const double widest = of.widestUnderWaist();
+  if (wish.belly && top.girth > hip - kHolds) top.belly = std::fmax(top.belly, widest - hip);
+  const double holds = widest - top.girth;
+  top.ease = std::clamp(holds - kFirm, -0.01, top.ease);
+  if (holds >= kHolds) return top;
+  const Top other = low();
+  return hip - other.girth > std::fmax(holds, 0.0) + kBetter ? other : top;
 }
 
 void sewLegs(Draft& draft) {
@@ -70,10 +98,12 @@ Curve through(const std::vector<Flat>& points) {
 
 Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
   const double ease = wish.ease.value_or(0.05);
-  const double waist = (of("waist_girth") + 0.02) / 4, hip = (of("hip_girth") + ease) / 4;
+  const Top worn = topOf(of, wish);
+  const double waist = (worn.girth + worn.ease) / 4, hip = (of("hip_girth") + ease) / 4;
   // The hip line of a skirt lies where the seat is fullest, no deeper than 22 cm.
-  const double deep = std::fmin(of("waist_to_hip_length"), 0.22);
-  const double whole = wish.length.value_or(of("waist_height") - of("knee_height"));
+  const double deep = worn.atWaist ? std::fmin(of("waist_to_hip_length"), 0.22)
+                                   : std::clamp(worn.height - of("hip_height"), 0.06, 0.22);
+  const double whole = wish.length.value_or(worn.height - of("knee_height"));
   if (Done done = of.enough(); !done) return done.error();
   if (!(whole > deep + 0.03))
     return refused(
@@ -83,9 +113,10 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
   constexpr double kFrontDart = 0.8;  // of their mean width: the seat is rounder than the belly, which pouches less so
   Draft draft;
   for (const bool front : {true, false}) {
-    const double wide = hip + bellyRoom(of, wish, front);
-    const Quarter q = quarterOf(waist, wide, 0.03);
-    const Flat foot{wide + flare, -whole}, seat{wide, -deep}, top{q.waist, rise};
+    const double wide = hip + (front ? worn.belly / 2 : 0);
+    const Quarter q = quarterOf(waist, wide, 0.03, worn.exact);
+    const double middle = front ? 0 : worn.raised;
+    const Flat foot{wide + flare, -whole}, seat{wide, -deep}, top{q.waist, rise + worn.raised / 2};
     const Flat up = top - seat;
     const std::vector<Curve> side{
         Curve::line(foot, seat),
@@ -93,15 +124,15 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
     const std::vector<Edge> half{
         {"hem", Curve::line({0, -whole}, foot)},
         {"side", Curve::joined(side)},
-        {"waist", Curve::cubic(top, top - Flat{0.3 * q.waist, 0.003}, {0.4 * q.waist, 0}, {0, 0})}};
+        {"waist", Curve::cubic(top, top - Flat{0.3 * q.waist, 0.003}, {0.4 * q.waist, middle}, {0, middle})}};
     const std::string name = front ? "skirt_front" : "skirt_back";
     const std::string plus = front ? "_left" : "_right", minus = front ? "_right" : "_left";
     DraftPiece piece{name, wholeOf(half, plus, minus), {}, {}, {}, {}};
     BodyPoint at;
-    at.along = 3, at.around = front ? 0 : 0.5;
+    at.along = worn.atWaist ? 3 : 2, at.around = front ? 0 : 0.5;
     piece.stands.at = at, piece.stands.ease = 0.012;
     draft.pieces.push_back(std::move(piece));
-    if (q.dart < 0.006) continue;
+    if (q.dart < kLeastDart) continue;
     // The waist runs from the side to the centre on the half at positive u.
     for (const bool left : {true, false}) {
       const double u = 0.5 * q.waist;
@@ -121,26 +152,29 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
 
 Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
   const double ease = wish.ease.value_or(0.06);
-  const double hip = (of("hip_girth") + ease) / 4, waist = (of("waist_girth") + 0.02) / 4;
-  const double seat = of("waist_height") - of("crotch_height") + 0.015;  // the rise, with room to sit
-  const double inside = wish.length.value_or(of("waist_height") - of("ankle_height"));
-  const double knee = of("waist_height") - of("knee_height");
+  const Top worn = topOf(of, wish);
+  const double hip = (of("hip_girth") + ease) / 4, waist = (worn.girth + worn.ease) / 4;
+  const double seat = worn.height - of("crotch_height") + 0.015;  // the rise, with room to sit
+  const double inside = wish.length.value_or(worn.height - of("ankle_height"));
+  const double knee = worn.height - of("knee_height");
   if (!(inside > seat + 0.05))
     return refused(say("Trousers that long end above the crotch; they have to be longer than {0} cm.",
                        std::round((seat + 0.05) * 100)));
   const double kneeHalf = std::fmax(of("knee_girth") + 0.08, 0.36) / 4, hemHalf = (of("ankle_girth") + 0.14) / 4;
   if (Done done = of.enough(); !done) return done.error();
   Draft draft;
+  draft.height = worn.height;
   for (const bool front : {true, false}) {
     const double fork = of("hip_girth") * (front ? 0.045 : 0.10), more = front ? -0.008 : 0.008;
-    const double room = bellyRoom(of, wish, front);  // half of it at the side, half at the centre
+    const double room = front ? worn.belly / 2 : 0;  // half of it at the side, half at the centre
     // u = 0: the centre seam; the leg hangs at u > 0
     const double width = hip + more + room / 2, crease = (hip + more - fork) / 2;
-    const Quarter q = quarterOf(waist + more, hip + more + room, 0.02);
+    const Quarter q = quarterOf(waist + more, hip + more + room, 0.02, worn.exact);
     const double high = 0.62 * seat;  // of the hip line, below the waist
-    const double rise = front ? 0 : 0.025, lean = (front ? 0.006 : 0.028) - room / 2;  // the back is longer and leans
-    const double legMore = front ? -0.008 : 0.008;                                     // the back of the leg is wider
-    const Flat centre{lean, rise}, side{lean + q.waist, 0.008}, hipSide{width, -high};
+    // The back is longer and leans.
+    const double rise = front ? 0 : 0.025 + worn.raised, lean = (front ? 0.006 : 0.028) - room / 2;
+    const double legMore = front ? -0.008 : 0.008;  // the back of the leg is wider
+    const Flat centre{lean, rise}, side{lean + q.waist, 0.008 + worn.raised / 2}, hipSide{width, -high};
     const double hem = -inside;
     const double kneeW = kneeHalf + legMore / 2, hemW = hemHalf + legMore / 2;
     const Flat kneeOut{crease + kneeW, -knee}, kneeIn{crease - kneeW, -knee};
@@ -169,7 +203,7 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
                      {"crotch", Curve::joined(crotch)},
                      {"inseam", Curve::joined(inseam)}}};
     const std::string name = addLeg(draft, front, std::move(outline), fork + 0.015);
-    if (q.dart >= 0.006)
+    if (q.dart >= kLeastDart)
       draft.darts.push_back({name, "waist", 0.5, q.dart, {lean + 0.5 * q.waist, -(front ? 0.4 : 0.5) * high}, "dart"});
   }
   sewLegs(draft);
@@ -180,14 +214,15 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
 Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish) {
   constexpr double kAboveAnkle = 0.03;  // the instep would catch what is longer while it is put on
   constexpr double kMostLean = 0.2;     // radians
-  const double girth = of("hip_girth"), waistHigh = of("waist_height");
+  const Top worn = topOf(of, wish);
+  const double girth = of("hip_girth");
   const double share = girth > 0 ? 1 + wish.ease.value_or(-0.1 * girth) / girth : 1;
-  const double hip = share * girth / 4, waist = share * of("waist_girth") / 4;
+  const double hip = share * girth / 4, waist = share * worn.girth / 4;
   const double thigh = share * of("thigh_girth"), knee = share * of("knee_girth"), calf = share * of("calf_girth"),
                ankle = share * of("ankle_girth");
-  const double seat = waistHigh - of("crotch_height") + 0.015,
-               inside = wish.length.value_or(waistHigh - of("ankle_height") - kAboveAnkle);
-  const double kneeDown = waistHigh - of("knee_height"), ankleDown = waistHigh - of("ankle_height");
+  const double seat = worn.height - of("crotch_height") + 0.015,
+               inside = wish.length.value_or(worn.height - of("ankle_height") - kAboveAnkle);
+  const double kneeDown = worn.height - of("knee_height"), ankleDown = worn.height - of("ankle_height");
   if (Done done = of.enough(); !done) return done.error();
   if (!(inside > seat + 0.05))
     return refused(say("Leggings that long end above the crotch; they have to be longer than {0} cm.",
@@ -196,14 +231,16 @@ Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish) {
   const double forks = std::fmax(thigh + 0.01 - 2 * hip, 0.13 * share * girth);
   const double high = 0.62 * seat, calfDown = std::lerp(kneeDown, ankleDown, 0.3);
   Draft draft;
+  draft.height = worn.height;
   for (const bool front : {true, false}) {
     const double to = front ? -1 : 1;                        // the back is the wider one
-    const double room = share * bellyRoom(of, wish, front);  // half of it at the side, half at the centre
+    const double room = front ? share * worn.belly / 2 : 0;  // half of it at the side, half at the centre
     const double fork = (front ? 0.3 : 0.7) * forks, even = hip + to * 0.006, width = even + room / 2,
                  crease = (even - fork) / 2;
-    const double rise = front ? 0 : 0.025, lean = (front ? 0.004 : 0.02) - room / 2;
+    const double rise = front ? 0 : 0.025 + worn.raised, lean = (front ? 0.004 : 0.02) - room / 2;
     const auto half = [&](double round) { return round / 4 + to * 0.004; };
-    const Flat centre{lean, rise}, side{lean + waist + to * 0.004, 0.006}, hipSide{width, -high}, tip{-fork, -seat};
+    const Flat centre{lean, rise}, side{lean + waist + to * 0.004, 0.006 + worn.raised / 2}, hipSide{width, -high},
+        tip{-fork, -seat};
     // How far from the crease the leg ends, at `down` below the waist: straight from girth to girth.
     const std::vector<Flat> girths{
         {(even + fork) / 2, seat}, {half(knee), kneeDown}, {half(calf), calfDown}, {half(ankle), ankleDown}};

@@ -110,6 +110,7 @@ TermTable fieldTerms() {
       {"by", say("How far (left, up, forward)")},
       {"bent", say("How it is bent")},
       {"belly", say("Room for the belly")},
+      {"worn", say("Upper edge worn")},
       {"beyond", say("Straight on beyond the edge")},
       {"between", say("Two places on the scan")},
       {"by.ease", say("Difference of the sides")},

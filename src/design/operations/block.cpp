@@ -31,6 +31,7 @@ class Made {
   }
 
   Done take(const Draft& draft) {
+    high_ = draft.height.value_or(body_.measured().value.at("waist_height"));
     for (const DraftPiece& piece : draft.pieces)
       if (Done done = add(piece); !done) return done;
     for (const DraftDart& dart : draft.darts)
@@ -124,8 +125,7 @@ class Made {
       if (draft.stands.lean != 0)
         piece.pose =
             after(turnAbout({0, 0, 1}, draft.stands.x < 0 ? -draft.stands.lean : draft.stands.lean), piece.pose);
-      const double waist = body_.measured().value.at("waist_height");
-      piece.pose.carry = {draft.stands.x, waist, draft.stands.z};
+      piece.pose.carry = {draft.stands.x, high_, draft.stands.z};
       piece.pose.carry.z += (behind ? -1 : 1) * nearerThan(piece, behind);
     }
     document_ = withPiece(std::move(document_), std::move(piece));
@@ -232,6 +232,7 @@ class Made {
   const Body& body_;
   Context context_;
   std::vector<Vec3> there_;  // the cloth it is to lie over
+  double high_ = 0;          // metres above the floor: where v = 0 of a flat piece stands
   std::uint32_t pieces_ = 0, seams_ = 0;
 };
 
@@ -305,6 +306,7 @@ Done resolve(const Document& before, DraftBlock& op, Context& context) {
   if (op.trued == Choice::Auto && !context.recorded) op.trued = Choice::Yes;
   const bool lower = op.kind == Kind::Skirt || op.kind == Kind::Trousers || op.kind == Kind::Leggings;
   if (op.belly == Choice::Auto && !context.recorded && lower) op.belly = Choice::Yes;
+  if (op.worn == DraftBlock::Worn::Auto && !context.recorded && lower) op.worn = DraftBlock::Worn::Holds;
   if (!op.fabric.empty()) return checkFabricName(before, op.fabric);
   return {};
 }
@@ -317,6 +319,7 @@ Result<Document> perform(const Document& before, const DraftBlock& op, Context& 
   if (op.ease) wish.ease = op.ease->metres;
   if (op.length) wish.length = op.length->metres;
   wish.belly = op.belly == Choice::Yes;
+  if (op.worn != DraftBlock::Worn::Auto) wish.worn = op.worn;
   Result<Draft> draft = refused(say("There is no such block."));
   switch (op.kind) {
     case Kind::Bodice:

@@ -75,6 +75,10 @@ constexpr Words<DraftBlock::Kind, 7> kBlocks{{{{"bodice", DraftBlock::Kind::Bodi
                                                {"shirt", DraftBlock::Kind::Shirt},
                                                {"collar", DraftBlock::Kind::Collar},
                                                {"leggings", DraftBlock::Kind::Leggings}}}};
+constexpr Words<DraftBlock::Worn, 4> kWorn{{{{"auto", DraftBlock::Worn::Auto},
+                                             {"holds", DraftBlock::Worn::Holds},
+                                             {"waist", DraftBlock::Worn::Waist},
+                                             {"high_hip", DraftBlock::Worn::HighHip}}}};
 constexpr Words<Fabric::Law, 2> kLaws{{{{"woven", Fabric::Law::Woven}, {"simcloth", Fabric::Law::Simcloth}}}};
 constexpr Words<Finish, 10> kFinishes{{{{"poplin", Finish::Poplin},
                                         {"linen", Finish::Linen},
@@ -368,6 +372,8 @@ std::string writeValue(const SetLength::Keep& value) { return kKept.write(value)
 Done readValue(std::string_view text, SetLength::Keep& value) { return kKept.read(text, value); }
 std::string writeValue(const SetLength::Neighbours& value) { return kNeighbours.write(value); }
 Done readValue(std::string_view text, SetLength::Neighbours& value) { return kNeighbours.read(text, value); }
+std::string writeValue(const DraftBlock::Worn& value) { return kWorn.write(value); }
+Done readValue(std::string_view text, DraftBlock::Worn& value) { return kWorn.read(text, value); }
 std::string writeValue(const DraftBlock::Kind& value) { return kBlocks.write(value); }
 Done readValue(std::string_view text, DraftBlock::Kind& value) { return kBlocks.read(text, value); }
 std::string writeValue(const Fabric::Law& value) { return kLaws.write(value); }

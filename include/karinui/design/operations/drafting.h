@@ -105,6 +105,7 @@ struct DraftBlock {
   Choice trued = Choice::Auto;
   bool over = false;
   Choice belly = Choice::Auto;
+  enum class Worn { Auto, Holds, Waist, HighHip } worn = Worn::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("kind", self.kind, "bodice, sleeve, skirt, trousers, leggings, shirt or collar", kNeeded);
@@ -118,9 +119,13 @@ struct DraftBlock {
           kOptional);
     visit("over", self.over, "yes: it stands off the cloth that is there too, as a waistcoat off a shirt", kOptional);
     visit("belly", self.belly,
-          "the front of a skirt, trousers or leggings has room for a belly that is wider than the hip, above a waist "
-          "that "
-          "is not: auto, yes, no (auto: yes, but no in a record that does not have it)",
+          "the front of a skirt, trousers or leggings has room for a belly that is wider than the hip, where they are "
+          "worn above it: auto, yes, no (auto: yes, but no in a record that does not have it)",
+          kOptional);
+    visit("worn", self.worn,
+          "where the upper edge of a skirt, trousers or leggings lies: waist, high_hip, holds (at the waist where that "
+          "holds them up, otherwise below the belly at the high hip), auto (holds, but waist in a record that does not "
+          "have it)",
           kOptional);
   }
   bool operator==(const DraftBlock&) const = default;
