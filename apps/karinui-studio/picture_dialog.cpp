@@ -24,14 +24,20 @@ constexpr std::array kEyes{Eyes::Mono, Eyes::SideBySide, Eyes::TopBottom, Eyes::
 Result<Image> pair(const Beside& beside, const SceneFrame& then, const SceneFrame& now, PictureOptions how,
                    bool allRound) {
   const std::vector<SceneFrame> frames{then, now};
-  how.width /= allRound ? 4 : 2, how.height /= allRound ? 2 : 1;
+  const int count = allRound ? 8 : 2, columns = allRound ? 4 : 2;
+  const SheetLayout sheet{.columns = columns, .joined = true, .width = how.width, .height = how.height};
+  const SheetCell cell = sheetCell(count, sheet);
+  how.width = cell.width, how.height = cell.height;
   LineUp lineUp({{text(beside.words(), how.language)}, {text(say("now"), how.language)}}, frames, how);
+  lineUp.fill(sheet.width, sheet.height);
   return allRound ? lineUp.turns(4) : lineUp.draw();
 }
 
 // On one sheet as large as one picture would be.
 Result<Image> fourSides(Picture& picture, const SceneFrame& frame, PictureOptions how) {
-  how.width /= 2, how.height /= 2;
+  const SheetLayout sheet{.columns = 2, .width = how.width, .height = how.height};
+  const SheetCell cell = sheetCell(4, sheet);
+  how.width = cell.width, how.height = cell.height;
   std::vector<SheetItem> items;
   const std::pair<View, Message> sides[] = {{View::Front, say("Front")},
                                             {View::Left, say("Left side")},
@@ -43,7 +49,7 @@ Result<Image> fourSides(Picture& picture, const SceneFrame& frame, PictureOption
     if (!image) return image.error();
     items.push_back({*std::move(image), text(words, how.language)});
   }
-  return contactSheet(items, {.columns = 2});
+  return contactSheet(items, sheet);
 }
 
 }  // namespace

@@ -41,6 +41,17 @@ struct Words {
   }
 };
 
+// The measures of a sheet of such pictures, in pixels.
+struct Room {
+  Room(int wide, int high, bool joined)
+      : em(std::max(10.0, std::min(wide / 18.0, high / 34.0))),
+        margin(std::max(4, wide / 60)),
+        gap(joined ? 0 : margin) {}
+  double em;
+  int margin, gap;
+  long long across(int columns, int wide) const { return 1LL * columns * (wide + gap) - gap + 2LL * margin; }
+};
+
 Words wordsOf(Lettering& lettering, const SheetItem& item, double em, double room) {
   Words words{{item.caption}};
   for (const std::string& below : item.below)
@@ -50,14 +61,28 @@ Words wordsOf(Lettering& lettering, const SheetItem& item, double em, double roo
 
 }  // namespace
 
+SheetCell sheetCell(int count, SheetLayout layout) {
+  const int columns = layout.columns <= 0 || layout.columns > count ? count : layout.columns;
+  const int rows = (count + columns - 1) / columns;
+  const Words caption{{""}};
+  SheetCell cell{layout.width / columns, layout.height / rows};
+  const auto room = [&] { return Room(cell.width, cell.height, layout.joined); };
+  while (cell.width > 1 && room().across(columns, cell.width) > layout.width) --cell.width;
+  while (cell.height > 1 &&
+         1LL * rows * (cell.height + static_cast<int>(caption.high(room().em))) + 2LL * room().margin > layout.height)
+    --cell.height;
+  return cell;
+}
+
 Result<Image> contactSheet(const std::vector<SheetItem>& items, SheetLayout layout, std::vector<Message>* notes) {
   if (items.empty()) return badInput(say("A sheet needs at least one picture."));
   const int count = static_cast<int>(items.size());
   const int columns = layout.columns <= 0 || layout.columns > count ? count : layout.columns;
   int wide = 0, high = 0;
   for (const SheetItem& item : items) wide = std::max(wide, item.image.width), high = std::max(high, item.image.height);
-  const double em = std::max(10.0, std::min(wide / 18.0, high / 34.0));
-  const int margin = std::max(4, wide / 60), gap = layout.joined ? 0 : margin;
+  const Room room(wide, high, layout.joined);
+  const double em = room.em;
+  const int margin = room.margin, gap = room.gap;
   Lettering lettering;
   std::vector<Words> words;
   std::vector<int> tops{margin};  // of the rows, and the end of the last
@@ -68,15 +93,17 @@ Result<Image> contactSheet(const std::vector<SheetItem>& items, SheetLayout layo
     const int top = tops[tops.size() - 2];
     tops.back() = std::max(tops.back(), top + high + strip);
   }
-  const long long allWide = 1LL * columns * (wide + gap) - gap + 2LL * margin, allHigh = 1LL * tops.back() + margin;
+  const long long allWide = std::max<long long>(room.across(columns, wide), layout.width),
+                  allHigh = std::max<long long>(1LL * tops.back() + margin, layout.height);
   if (wide == 0 || high == 0 || allWide > kMostPixels || allHigh > kMostPixels)
     return badInput(
         say("A sheet of {0}x{1} pixels is too large; take fewer or smaller pictures, at most 32768 pixels a side.",
             allWide, allHigh));
   Image sheet(static_cast<int>(allWide), static_cast<int>(allHigh), kPaper);
+  const int left = margin + static_cast<int>(allWide - room.across(columns, wide)) / 2;
   for (int i = 0; i < count; ++i) {
     const SheetItem& item = items[static_cast<std::size_t>(i)];
-    const int x = margin + i % columns * (wide + gap), y = tops[static_cast<std::size_t>(i / columns)];
+    const int x = left + i % columns * (wide + gap), y = tops[static_cast<std::size_t>(i / columns)];
     sheet.paste(item.image, x + (wide - item.image.width) / 2, y + (high - item.image.height));
     const Pixel ink = item.marked ? kMark : kInk;
     if (item.marked)

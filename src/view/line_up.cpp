@@ -55,7 +55,8 @@ Result<Image> LineUp::see(std::size_t which, double turn, InRow row, bool legend
 
 Result<Image> LineUp::laidOut(const std::vector<SheetItem>& items, int columns) {
   std::vector<Message> unwritten;
-  Result<Image> sheet = contactSheet(items, {.columns = columns, .joined = true}, &unwritten);
+  Result<Image> sheet = contactSheet(
+      items, {.columns = columns, .joined = true, .width = fill_.first, .height = fill_.second}, &unwritten);
   notes_.insert(notes_.end(), unwritten.begin(), unwritten.end());
   return sheet;
 }

@@ -85,7 +85,8 @@ TEST(StudioBeside, AnotherFabricIsDrapedBesideAndFollowsWhatIsDone) {
   PictureDialog dialog(w.session(), w.space(), &w.main());
   const auto picture = dialog.draw(0.25);
   ASSERT_TRUE(picture);
-  EXPECT_NEAR(picture->width, 450, 12) << "both are on the picture";
+  EXPECT_EQ(picture->width, 450) << "both are on the picture";
+  EXPECT_EQ(picture->height, 600);
   chooseKind(w, "nothing");
   EXPECT_FALSE(w.space().beside());
 }

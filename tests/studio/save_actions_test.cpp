@@ -354,8 +354,8 @@ TEST(StudioSaveActions, TakesAPictureFromEverySide) {
   const fs::path path = folder.path / "round.png";
   ASSERT_TRUE(dialog.write(path.string()));
   const QImage round(QString::fromStdString(path.string()));
-  EXPECT_GT(round.width(), 850);
-  EXPECT_GT(round.height(), 1150);
+  EXPECT_EQ(round.width(), 900) << "as large as was chosen";
+  EXPECT_EQ(round.height(), 1200);
 }
 
 }  // namespace

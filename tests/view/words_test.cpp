@@ -65,6 +65,23 @@ TEST(Words, ASheetHoldsItsPicturesInOrderWithCaptions) {
   EXPECT_FALSE(contactSheet(std::vector<SheetItem>(600, {Image(120, 16), ""})));
 }
 
+// As large as was asked, whatever the captions and margins take of it.
+TEST(Words, ASheetIsAsLargeAsItsLayoutSays) {
+  for (const auto& [width, height] : {std::pair(1800, 2400), {900, 1200}, {1920, 1080}, {211, 283}})
+    for (const bool joined : {false, true})
+      for (const int count : {2, 4, 8}) {
+        const SheetLayout layout{.columns = count / 2, .joined = joined, .width = width, .height = height};
+        const SheetCell cell = sheetCell(count, layout);
+        EXPECT_GT(cell.width * layout.columns, 0.85 * width);
+        EXPECT_GT(cell.height * 2, 0.75 * height);
+        const auto sheet = contactSheet(
+            std::vector<SheetItem>(static_cast<std::size_t>(count), {Image(cell.width, cell.height), "Front"}), layout);
+        ASSERT_TRUE(sheet);
+        EXPECT_EQ(sheet->width, width);
+        EXPECT_EQ(sheet->height, height);
+      }
+}
+
 TEST(Words, APngIsWrittenWholeOrNotAtAll) {
   Image image(3, 2, {10, 20, 30, 255});
   image.set(2, 1, {200, 100, 50, 128});

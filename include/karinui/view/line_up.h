@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "karinui/base/token.h"
@@ -30,6 +31,8 @@ class LineUp {
   Result<Image> draw(double turn = 0, int columns = 0, const Token& token = {});
   // A row for each figure, a column for each of so many turns of a whole one; a single figure takes two rows for many.
   Result<Image> turns(int count, const Token& token = {});
+  // The picture is as large as this from now on, what is left over beside and below the figures (sheetCell).
+  void fill(int width, int height) { fill_ = {width, height}; }
   // Keeps every figure in graphics memory, so that many pictures of few figures are quick.
   void keepAll() { easels_.resize(figures_.size()); }
 
@@ -50,6 +53,7 @@ class LineUp {
   Camera camera_;           // about an axis at x = z = 0
   std::vector<Vec3> axes_;  // of the figures
   std::vector<Easel> easels_;
+  std::pair<int, int> fill_{};
   std::vector<Message> notes_;
 };
 

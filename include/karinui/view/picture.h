@@ -85,9 +85,15 @@ struct SheetItem {
   bool marked = false;                  // a red bar under the picture, and its words in red
 };
 struct SheetLayout {
-  int columns = 0;      // 0: all in one row
-  bool joined = false;  // no gap between neighbours: one picture (InRow)
+  int columns = 0;            // 0: all in one row
+  bool joined = false;        // no gap between neighbours: one picture (InRow)
+  int width = 0, height = 0;  // of the sheet, what is left over beside and below; 0, or too little: as it comes
 };
+// How large so many pictures are, each with a caption of one line, that fill a sheet of the layout's size.
+struct SheetCell {
+  int width = 0, height = 0;
+};
+SheetCell sheetCell(int count, SheetLayout layout);
 Result<Image> contactSheet(const std::vector<SheetItem>& items, SheetLayout layout = {},
                            std::vector<Message>* notes = nullptr);
 
