@@ -51,11 +51,18 @@ void MainWindow::askSaveAs() {
   refresh();
 }
 
+// After the garment, where it has a name of its own.
+QString MainWindow::proposed(const Message& what, const FileFormat& format) const {
+  const bool named = !session_->path().empty() && !session_->draft();
+  if (!named) return freshPath(inWords(what), format);
+  return freshPath(QString::fromStdString(session_->path().stem().string()) + " – " + inWords(what), format);
+}
+
 void MainWindow::askExport() {
   ExportDialog dialog(*session_, *space_, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const ExportWish wish = dialog.wish();
-  const QString path = askToWrite(this, inWords(say("Export")), freshPath("pattern", *wish.format),
+  const QString path = askToWrite(this, inWords(say("Export")), proposed(say("pattern"), *wish.format),
                                   filterWriting(*wish.format), endingsOf(*wish.format));
   if (path.isEmpty()) return;
   session_->exportTo(path.toStdString(), wish);
@@ -70,8 +77,9 @@ void MainWindow::askShare() {
   }
   ShareDialog dialog(document, this);
   if (dialog.exec() != QDialog::Accepted) return;
-  const QString path = askToWrite(this, inWords(say("Share the pattern")), freshPath(inWords(say("pattern to share"))),
-                                  filterReading("Karinui", {FileContent::Document}), endingsOf(fileFormat("document")));
+  const QString path =
+      askToWrite(this, inWords(say("Share the pattern")), proposed(say("pattern to share"), fileFormat("document")),
+                 filterReading("Karinui", {FileContent::Document}), endingsOf(fileFormat("document")));
   if (path.isEmpty()) return;
   session_->shareTo(path.toStdString(), dialog.names());
   refresh();
@@ -81,7 +89,7 @@ void MainWindow::picture() {
   PictureDialog dialog(*session_, *space_, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const FileFormat& format = fileFormat("png");
-  const QString path = askToWrite(this, inWords(say("Picture of the fitting…")), freshPath("fitting", format),
+  const QString path = askToWrite(this, inWords(say("Picture of the fitting…")), proposed(say("fitting"), format),
                                   filterWriting(format), endingsOf(format));
   if (path.isEmpty()) return;
   if (const Done done = dialog.write(path.toStdString()); !done)

@@ -20,6 +20,7 @@
 #include "paper.h"
 #include "picture_dialog.h"
 #include "share_dialog.h"
+#include "studio/asked.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
@@ -330,6 +331,35 @@ TEST(StudioSaveActions, ThePictureHasTheMapThatIsSeen) {
   EXPECT_NE(plain, strain);
   EXPECT_NE(plain, pressure);
   EXPECT_NE(strain, pressure);
+}
+
+// A garment that has a name gives it to what is made of it.
+TEST(StudioSaveActions, WhatIsWrittenIsCalledAfterTheGarment) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  const auto offered = [&](const Message& entry) {
+    QString name;
+    QTimer hand;
+    QObject::connect(&hand, &QTimer::timeout, [&] {
+      auto* modal = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      if (!modal) return;
+      if (auto* files = qobject_cast<QFileDialog*>(modal)) {
+        name = files->findChild<QLineEdit*>()->text();
+        hand.stop();
+        return files->reject();
+      }
+      modal->accept();
+    });
+    hand.start(0);
+    fromTheMenu(w, entry);
+    return name;
+  };
+  const QString garment = QString::fromStdString(w.session().path().stem().string());
+  ASSERT_FALSE(w.session().draft());
+  EXPECT_EQ(offered(say("Picture of the fitting…")), garment + " – fitting.png");
+  EXPECT_THAT(offered(say("Export…")).toStdString(), testing::StartsWith((garment + " – pattern.").toStdString()));
+  EXPECT_EQ(offered(say("Share the pattern…")), garment + " – pattern to share.karinui");
 }
 
 TEST(StudioSaveActions, TakesAPictureFromEverySide) {
