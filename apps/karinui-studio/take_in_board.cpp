@@ -1,6 +1,5 @@
 #include "take_in_board.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,7 +12,8 @@ namespace karinui::studio {
 
 namespace {
 enum TakenIn { kAllAlong, kAtStart, kAtEnd, kAtPlace };
-}
+enum SewnTo { kGoesAsFar, kStays, kGives };
+}  // namespace
 
 TakeInBoard::TakeInBoard(Session& session) : session_(session) {
   auto* column = new QVBoxLayout(this);
@@ -25,18 +25,26 @@ TakeInBoard::TakeInBoard(Session& session) : session_(session) {
   where_->setMinimumContentsLength(12);
   place_ = new LengthBox(say("Taken in most, along the edge"), 0, 10);
   place_->setObjectName("take_in_place");
-  partners_ = new QCheckBox;
+  partners_ = new QComboBox;
   partners_->setObjectName("take_in_partners");
-  partners_->setChecked(true);
+  partners_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  partners_->setMinimumContentsLength(12);
   Theme::here().keep(this, [this] {
     where_->setAccessibleName(inWords(say("Where it is taken in")));
     where_->setToolTip(
         inWords(say("As far all along, or only at a place, as at the waist, and from there to nothing at the ends.")));
     place_->setToolTip(inWords(say("How far along the edge that place is; a click on the edge says it, too.")));
-    partners_->setText(inWords(say("what it is sewn to goes as far")));
+    const int now = std::max(0, partners_->currentIndex());
+    partners_->clear();
+    for (const Message& words : {say("what it is sewn to goes as far"), say("what it is sewn to stays"),
+                                 say("what it is sewn to gives as much: the seam moves")})
+      partners_->addItem(inWords(words));
+    partners_->setCurrentIndex(now);
+    partners_->setAccessibleName(inWords(say("What it is sewn to")));
     partners_->setToolTip(inWords(say(
-        "A centimetre at the side is then one off the front and one off the back. Not so for a sleeve made longer at "
-        "its cuff, or a neckline under its collar.")));
+        "A centimetre at the side is one off the front and one off the back. What it is sewn to stays where a sleeve "
+        "is made longer at its cuff, or a neckline under its collar; it gives what this edge takes where a shoulder "
+        "seam goes forward.")));
     refresh();
   });
   column->addWidget(where_);
@@ -72,7 +80,7 @@ void TakeInBoard::refresh() {
   where_->addItem(inWords(say("most at a place along it")), kAtPlace);
   where_->setCurrentIndex(where_->findData(was));
   place_->setLongest(own->curve.length());
-  if (another) partners_->setChecked(true);  // what was meant for the last edge is not meant for this one
+  if (another) partners_->setCurrentIndex(kGoesAsFar);  // what was meant for the last edge is not meant for this one
   if (another || shown_->fraction != chosen.fraction) place_->setMetres(chosen.fraction * own->curve.length());
   shown_ = chosen;
   showPlace();
@@ -82,7 +90,8 @@ TakeIn TakeInBoard::takeIn(double metres) const {
   TakeIn in;
   in.edges = {{session_.selection().edge->piece, session_.selection().edge->edge, 0, 1}};
   in.by = Length{metres};
-  if (!partners_->isChecked()) in.partners = Choice::No;
+  if (partners_->currentIndex() == kStays) in.partners = Choice::No;
+  in.moves = partners_->currentIndex() == kGives;
   const Edge* own = edge();
   const int where = own ? where_->currentData().toInt() : static_cast<int>(kAllAlong);
   if (where == kAtStart) in.at = 0;

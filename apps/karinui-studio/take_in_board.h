@@ -1,11 +1,10 @@
 #pragma once
-// How the chosen edge is taken in: all along it, or most at a place and to nothing at its ends, and whether what it is
-// sewn to goes as far. GUI thread.
+// How the chosen edge is taken in: all along it, or most at a place and to nothing at its ends, and what that does
+// to which it is sewn. GUI thread.
 #include <QWidget>
 
 #include "karinui/session/session.h"
 
-class QCheckBox;
 class QComboBox;
 
 namespace karinui::studio {
@@ -25,7 +24,7 @@ class TakeInBoard : public QWidget {
   Session& session_;
   QComboBox* where_;
   LengthBox* place_;
-  QCheckBox* partners_;
+  QComboBox* partners_;
   std::optional<EdgeNear> shown_;
 };
 

@@ -56,7 +56,7 @@ TEST(StudioTyped, ASeamIsTakenInWhereItIsPinned) {
   chooseEdge(w, "front", "side");
   auto& where = *w.main().findChild<QComboBox*>("take_in_where");
   auto& place = *w.main().findChild<LengthBox*>("take_in_place");
-  auto& partners = *w.main().findChild<QCheckBox*>("take_in_partners");
+  auto& partners = *w.main().findChild<QComboBox*>("take_in_partners");
   EXPECT_FALSE(place.isVisible());
   where.setCurrentIndex(3);
   emit where.activated(3);
@@ -68,13 +68,20 @@ TEST(StudioTyped, ASeamIsTakenInWhereItIsPinned) {
   EXPECT_EQ(curve("front").start, (Flat{0.3, 0}));
   EXPECT_NEAR(curve("front").atFraction(0.5).u, 0.29, 1e-6);
   EXPECT_NEAR(curve("back").atFraction(0.5).u, 0.30, 1e-6);
-  partners.setChecked(false);
+  partners.setCurrentIndex(1);
   where.setCurrentIndex(1);
   w.type(w.box("Take in"), "-1");
   w.rest();
   EXPECT_THAT(w.last(), AllOf(HasSubstr("at=0"), HasSubstr("partners=no")));
   EXPECT_NEAR(curve("front").start.u, 0.31, 1e-6);
   EXPECT_NEAR(curve("back").start.u, 0.31, 1e-6);
+  // What this side takes the other gives.
+  partners.setCurrentIndex(2);
+  w.type(w.box("Take in"), "0.5");
+  w.rest();
+  EXPECT_THAT(w.last(), AllOf(HasSubstr("at=0"), HasSubstr("moves=yes"), testing::Not(HasSubstr("partners"))));
+  EXPECT_NEAR(curve("front").start.u, 0.305, 1e-6);
+  EXPECT_NEAR(curve("back").start.u, 0.315, 1e-6);
   // What is typed for a length is given to the other side of the seam, too.
   auto& both = *w.main().findChild<QCheckBox*>("length_partners");
   ASSERT_TRUE(both.isEnabled());
@@ -87,7 +94,7 @@ TEST(StudioTyped, ASeamIsTakenInWhereItIsPinned) {
   chooseEdge(w, "front", "hem");
   EXPECT_FALSE(both.isEnabled()) << "it is sewn to nothing";
   EXPECT_EQ(where.currentIndex(), 0) << "another edge, as a whole";
-  EXPECT_TRUE(partners.isChecked());
+  EXPECT_EQ(partners.currentIndex(), 0);
   chooseEdge(w, "front", "side");
   EXPECT_FALSE(both.isChecked());
 }

@@ -241,6 +241,7 @@ TermTable fieldTerms() {
       {"taper", say("As narrow as the piece at every height")},
       {"pairs", say("In pairs, left and right")},
       {"part", say("Place in the part")},
+      {"moves", say("The seam moves")},
       {"partners", say("What they are sewn to")},
       {"patch", say("Held with the fingers (radius)")},
       {"photo", say("Photograph")},

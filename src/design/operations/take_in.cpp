@@ -120,6 +120,7 @@ struct Carried {
   TakenEdge edge;
   std::optional<Taper> taper;
   bool image = false;  // of another one of them: it follows that one
+  bool lets = false;   // it is let out as far as the others are taken in
 };
 
 // Every edge that goes: those of the operation, their images on other halves and copies, what all these are sewn to,
@@ -136,6 +137,7 @@ class EdgesThatGo {
       if (op_.at) taper = Taper{0, *op_.at * whole < kAtAnEnd ? 0 : (1 - *op_.at) * whole < kAtAnEnd ? 1 : *op_.at, 1};
       if (Done done = add({ref.piece.id, ref.edge}, taper); !done) return done.error();
     }
+    lets_ = op_.moves;
     for (std::size_t i = 0, own = all_.size(); op_.partners != Choice::No && i < own; ++i)
       if (Done done = addSewn(all_[i]); !done) return done.error();
     return all_;
@@ -146,10 +148,20 @@ class EdgesThatGo {
     return document_.find(edge.first)->outline.find(edge.second);
   }
   bool push(Carried carried) {
+    carried.lets = lets_;
     if (std::any_of(all_.begin(), all_.end(), [&](const Carried& one) { return one.edge == carried.edge; }))
       return false;
     all_.push_back(std::move(carried));
     return true;
+  }
+  // A seam between two that are each other's image, as the centre front, cannot go to one side.
+  Done bothWays(const TakenEdge& edge) const {
+    const auto other = std::find_if(all_.begin(), all_.end(), [&](const Carried& one) { return one.edge == edge; });
+    if (!lets_ || other == all_.end() || other->lets) return {};
+    return refused(
+        say("{0} is to be taken in and let out at once: that seam is the middle of the garment, or between "
+            "two of the edges that are named. A seam that moves goes to one side of it.",
+            edgeSaid(document_, {PieceRef(edge.first), edge.second})));
   }
   // With its images.
   Done add(const TakenEdge& edge, const std::optional<Taper>& taper) {
@@ -196,6 +208,7 @@ class EdgesThatGo {
                         edgeSaid(document_, {PieceRef(from.edge.first), from.edge.second}),
                         edgeSaid(document_, {PieceRef(other.first), other.second})));
             }
+            if (Done done = bothWays(other); !done) return done;
             if (Done done = add(other, taper); !done) return done;
           }
         }
@@ -206,21 +219,23 @@ class EdgesThatGo {
   const Document& document_;
   const TakeIn& op_;
   std::vector<Carried> all_;
+  bool lets_ = false;  // those that are added now
 };
 
 Result<Document> allAtOnce(const Document& before, const TakeIn& op, Context& context) {
   const auto all = EdgesThatGo(before, op).find();
   if (!all) return all.error();
   Document after = before;
-  std::string said;
+  std::string said, letOut;
   for (const Carried& first : *all) {
     const PieceId id = first.edge.first;
-    if (!first.image) said += (said.empty() ? "" : ", ") + before.find(id)->name + "." + first.edge.second;
+    std::string& list = first.lets ? letOut : said;
+    if (!first.image) list += (list.empty() ? "" : ", ") + before.find(id)->name + "." + first.edge.second;
     const Piece& piece = *before.find(id);
     if (after.find(id)->outline != piece.outline) continue;  // carried already, or as a copy
     std::vector<EdgeCarry> carries;
     for (const Carried& one : *all)
-      if (one.edge.first == id) carries.push_back({one.edge.second, op.by, one.taper});
+      if (one.edge.first == id) carries.push_back({one.edge.second, one.lets ? -op.by : op.by, one.taper});
     const auto symmetry = op.symmetric == Choice::No ? std::nullopt : symmetryOf(piece.outline);
     auto carried = carryEdges(piece, carries, symmetry ? &*symmetry : nullptr);
     if (!carried) return carried.error();
@@ -231,7 +246,10 @@ Result<Document> allAtOnce(const Document& before, const TakeIn& op, Context& co
     if (!next) return next.error();
     after = *std::move(next);
   }
+  if (op.moves && letOut.empty())
+    return refused(say("A seam moves where there is one: {0} is sewn to nothing.", edgeSaid(before, op.edges.front())));
   tellTakenIn(op.by, said, context);
+  if (!letOut.empty()) tellTakenIn(-op.by, letOut, context);
   tellMisfits(before, after, context);
   return after;
 }
@@ -243,13 +261,16 @@ Done resolve(const Document& before, TakeIn& op, Context& context) {
     return refused(say("A seam is taken in or let out by up to 50 cm, not by {0} mm.", fixed(op.by * 1e3, 1)));
   if (op.at && !(*op.at >= 0 && *op.at <= 1))
     return refused(say("A place along an edge lies between 0 and 1, not at {0}.", *op.at));
+  if (op.moves && op.partners == Choice::No)
+    return refused(say("A seam moves with both its sides; leave partners= away, or moves=."));
   if (op.whole == Choice::Auto && !context.recorded) op.whole = Choice::Yes;
   if (op.together == Choice::Auto && !context.recorded) op.together = Choice::Yes;
   return resolveWhole(before, op.edges, op.symmetric, context);
 }
 
 Result<Document> perform(const Document& before, const TakeIn& op, Context& context) {
-  return op.together == Choice::Yes || op.at ? allAtOnce(before, op, context) : oneByOne(before, op, context);
+  return op.together == Choice::Yes || op.at || op.moves ? allAtOnce(before, op, context)
+                                                         : oneByOne(before, op, context);
 }
 
 }  // namespace karinui

@@ -388,6 +388,7 @@ struct TakeIn {
   Choice together = Choice::Auto;
   std::optional<double> at;
   template <class Self, class Visit>
+  bool moves = false;
   static void fields(Self& self, Visit&& visit) {
     visit("edges", self.edges, "the edges", kNeeded);
     visit("by", self.by, "how far each goes into its piece, square to the line between its ends", kOptional);
@@ -398,6 +399,9 @@ struct TakeIn {
     visit("partners", self.partners, "the edges they are sewn to go as far, so that the seams still fit: yes, no",
           kOptional);
     visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+    visit("moves", self.moves,
+          "yes: what they are sewn to is let out as far instead, so that the seam moves, as a shoulder seam forward",
+          kOptional);
     visit("whole", self.whole,
           "all of a curved edge goes, not its ends alone: auto, yes, no (auto: yes, but no in a record that does not "
           "have it)",
