@@ -394,7 +394,7 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
       spread.from = ref, spread.at = share;
       spread.to = {PieceRef(near.piece), led->edge};
       spread.toAt = toMillimetre(led->fraction, other->curve.length());
-      offer(menu, say("Slash to {0} and spread…", edgeSaid(document, spread.to)),
+      offer(menu, say("Slash to {0} and spread or fold out…", edgeSaid(document, spread.to)),
             [this, spread] { askNumbers(spread); });
       AddPleat pleat;  // soft below where it is sewn, as of a peg-top skirt
       pleat.edge = ref, pleat.at = share, pleat.hold = 0;

@@ -576,7 +576,7 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
   menu = &details;
   add("pleat", say("Pleats in the chosen edge…"), Of::Edge,
       [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
-  add("spread", say("Slash and spread from the chosen edge…"), Of::Edge,
+  add("spread", say("Slash and spread, or fold out, from the chosen edge…"), Of::Edge,
       [chosen, this] { return Operation(slashFrom(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
   const auto addFinish = [&](const char* name, const Message& words, auto along) {
     add(name, words, Of::Edge, [chosen, along, this] {

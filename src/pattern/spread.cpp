@@ -153,6 +153,45 @@ Led led(const std::vector<Curve>& parts, const std::vector<double>& from, double
   return made;
 }
 
+// Parts that meet end to end where paper was folded out, as one curve that is led round the places where they meet.
+// `olds`: which share of the old curve's length each part was; between them it is gone.
+Led together(std::vector<Curve> parts, const std::vector<std::array<double, 2>>& olds, double round) {
+  for (std::size_t k = 0; k + 1 < parts.size(); ++k)
+    parts[k].end = parts[k + 1].start = lerp(parts[k].end, parts[k + 1].start, 0.5);
+  std::vector<double> ends;  // of each but the last, along the new curve
+  std::vector<Curve> joined;
+  double along = 0, before = 0;
+  const bool line = straight(parts);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const bool last = k + 1 == parts.size();
+    const double own = parts[k].length();
+    const double after = line || last ? 0 : std::min({round, own / 3, parts[k + 1].length() / 3});
+    joined.push_back(cutOff(parts[k], before, after));
+    along += own - before - after;
+    if (last) break;
+    if (after > kNoPart) {
+      const Curve &in = joined.back(), out = cutOff(parts[k + 1], after, 0);
+      const double handle = after * 2 / 3;
+      joined.push_back(Curve::cubic(in.end, in.end + normalized(in.tangent(1)) * handle,
+                                    out.start - normalized(out.tangent(0)) * handle, out.start));
+      const double over = joined.back().length();
+      ends.push_back(along + over / 2), along += over;
+    } else {
+      ends.push_back(along);
+    }
+    before = after;
+  }
+  Led made{line ? Curve::line(parts.front().start, parts.back().end) : Curve::joined(joined), {{0, 0}}};
+  if (olds.front()[0] > 0) made.shares.push_back({olds.front()[0], kHair});
+  for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
+    made.shares.push_back({olds[k][1], ends[k] / along});
+    made.shares.push_back({olds[k + 1][0], ends[k] / along + kHair});
+  }
+  if (olds.back()[1] < 1) made.shares.push_back({olds.back()[1], 1 - kHair});
+  made.shares.push_back({1, 1});
+  return made;
+}
+
 class Slashing {
  public:
   Slashing(const Piece& piece, const Slash& slash) : piece_(piece), slash_(slash), edges_(piece.outline.edges) {}
@@ -164,16 +203,27 @@ class Slashing {
     parts_.opening = Opening(a_, b_, slash_.by, slash_.toBy, stays_);
     Piece now = piece_;
     now.outline = {};
-    for (std::size_t k = 0; k < edges_.size(); ++k) now.outline.edges.push_back({edges_[k].name, edge(k)});
+    if (foldsOut()) {
+      auto edges = foldedEdges();
+      if (!edges) return edges.error();
+      now.outline.edges = *std::move(edges);
+    } else {
+      for (std::size_t k = 0; k < edges_.size(); ++k) now.outline.edges.push_back({edges_[k].name, edge(k)});
+    }
     for (std::size_t k = 0; k < edges_.size(); ++k)  // corners are met to the last bit
       now.outline.edges[(k + 1) % edges_.size()].curve.start = now.outline.edges[k].curve.end;
     auto good = checked(std::move(now.outline));
     if (!good) return good.error();
     now.outline = *std::move(good);
-    for (Outline& hole : now.holes)
-      for (const bool ahead = parts_.isAhead(hole.edges.front().curve.start); Edge & one : hole.edges)
-        one.curve = parts_.motion(ahead)(one.curve);
-    for (InternalLine& line : now.lines) lead(line);
+    for (Outline& hole : now.holes) {
+      const bool ahead = parts_.isAhead(hole.edges.front().curve.start);
+      for (Edge& one : hole.edges) one.curve = parts_.motion(ahead)(one.curve);
+      const Ring ring = hole.flattened(1e-4);
+      if (foldsOut() && std::any_of(ring.begin(), ring.end(), [&](Flat p) { return inside(p, ahead) < 0; }))
+        return refused(say("A hole of {0} lies where the paper is folded out.", piece_.name));
+    }
+    for (InternalLine& line : now.lines)
+      if (Done done = foldsOut() ? foldLine(line) : lead(line); !done) return done.error();
     for (Mark& mark : now.marks)
       if (mark.edge.empty()) mark.place = parts_(mark.place);
     followMarks(now, map_);
@@ -197,8 +247,10 @@ class Slashing {
     a_ = edges_[from_].curve.atFraction(at_), b_ = edges_[to_].curve.atFraction(toAt_);
     const double whole = distance(a_, b_);
     if (whole < kAtCorner) return refused(say("The slash begins and ends at one place, {0} mm.", inMm(a_)));
-    if (!(slash_.by >= 0 && slash_.toBy >= 0 && slash_.by + slash_.toBy > 0 && slash_.by <= 1 && slash_.toBy <= 1))
-      return refused(say("A slash is opened by more than 0 and at most 1 m."));
+    const bool folded = slash_.by <= 0 && slash_.toBy <= 0, opened = slash_.by >= 0 && slash_.toBy >= 0;
+    if (!(opened || folded) || !(std::abs(slash_.by) <= 1 && std::abs(slash_.toBy) <= 1))
+      return refused(say("A slash is opened at both ends, or folded out at both (less than 0), by at most 1 m."));
+    if (slash_.by == 0 && slash_.toBy == 0) return refused(say("A slash is opened, or folded out, by more than 0."));
     if (std::abs(slash_.by - slash_.toBy) > whole)
       return refused(say("The slash is {0} mm long; it cannot open by {1} mm more at one end than at the other.",
                          inMm(whole), inMm(std::abs(slash_.by - slash_.toBy))));
@@ -262,7 +314,7 @@ class Slashing {
 
   double rounded(bool first) const {
     if (!slash_.smooth || (first && slash_.folded)) return 0;
-    return std::min(kRounded, std::max(slash_.by, slash_.toBy) / 2);
+    return std::min(kRounded, std::max(std::abs(slash_.by), std::abs(slash_.toBy)) / 2);
   }
 
   void keepMap(const std::string& name, const Led& led) {
@@ -326,7 +378,140 @@ class Slashing {
     return now.curve;
   }
 
-  void lead(InternalLine& line) {
+  // --- What is folded out. The two parts lie double between the slash as it is ahead and as it is behind; the paper
+  // meets in the middle of that.
+  bool foldsOut() const { return slash_.by < 0 || slash_.toBy < 0; }
+  // How far a place lies within what stays of its part; less than 0: it is folded out.
+  double inside(Flat p, bool ahead) const {
+    const Flat start = middleOf(a_), along = normalized(middleOf(b_) - start);
+    return dot(p - start, leftOf(along)) * (ahead ? -1 : 1);
+  }
+  // What stays of a curve that ends (begins) in what is folded out, and where on it that is; nothing: none of it.
+  std::optional<double> staysUpTo(const Curve& curve, bool ahead, bool end) const {
+    constexpr int kSteps = 400;
+    const auto in = [&](double t) { return inside(curve.at(t), ahead) >= 0; };
+    const double last = end ? 1 : 0;
+    if (in(last)) return last;
+    for (int i = 1; i <= kSteps; ++i) {
+      double good = end ? 1 - static_cast<double>(i) / kSteps : static_cast<double>(i) / kSteps;
+      if (!in(good)) continue;
+      double bad = good + (end ? 1.0 : -1.0) / kSteps;
+      for (int k = 0; k < 60; ++k) (in((good + bad) / 2) ? good : bad) = (good + bad) / 2;
+      return good;
+    }
+    return std::nullopt;
+  }
+
+  struct Run {  // a part of an edge, moved
+    std::array<double, 2> old;
+    bool ahead;
+    Curve curve;
+    std::array<int, 2> meets{-1, -1};  // 0, 1: where it begins and ends the paper is folded out, where the slash does
+  };
+  std::vector<Run> runsOf(std::size_t k) const {
+    const std::size_t n = edges_.size();
+    const Curve& curve = edges_[k].curve;
+    std::vector<Run> runs;
+    const auto add = [&](double from, double to, bool ahead) {
+      const double t0 = parameter(curve, from), t1 = parameter(curve, to);
+      runs.push_back({{from, to}, ahead, parts_.motion(ahead)(t0 == 0 && t1 == 1 ? curve : curve.part(t0, t1))});
+    };
+    if (k == from_ || k == to_) {
+      const double at = k == from_ ? at_ : toAt_;
+      if (at > 0) add(0, at, k == to_);
+      if (at < 1) add(at, 1, k == from_);
+      if (runs.size() == 2 && (k == from_ ? slash_.by : slash_.toBy) != 0)
+        runs[0].meets[1] = runs[1].meets[0] = k == from_ ? 0 : 1;
+    } else {
+      add(0, 1, (k + n - from_) % n < (to_ + n - from_) % n);
+    }
+    for (const int end : {0, 1}) {  // a slash in a corner
+      const std::size_t named = end == 0 ? from_ : to_;
+      const double at = end == 0 ? at_ : toAt_;
+      if ((end == 0 ? slash_.by : slash_.toBy) == 0 || (at != 0 && at != 1)) continue;
+      const std::size_t before = at == 1 ? named : (named + n - 1) % n;
+      if (k == before) runs.back().meets[1] = end;
+      if (k == (before + 1) % n) runs.front().meets[0] = end;
+    }
+    return runs;
+  }
+
+  Result<std::vector<Edge>> foldedEdges() {
+    std::vector<std::vector<Run>> all;
+    std::array<std::vector<Flat>, 2> met;
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      all.push_back(runsOf(k));
+      for (Run& run : all.back())
+        for (const bool end : {false, true}) {
+          if (run.meets[end] < 0) continue;
+          const auto t = staysUpTo(run.curve, run.ahead, end);
+          if (!t || *t == (end ? 0 : 1))
+            return refused(say("So much cannot be folded out: it would take all of “{0}”.", edges_[k].name));
+          const double whole = run.curve.length(), wide = run.old[1] - run.old[0];
+          const double away = run.curve.lengthTo(*t) / whole;
+          (end ? run.old[1] : run.old[0]) = run.old[0] + wide * away;
+          if (*t != (end ? 1 : 0)) run.curve = end ? run.curve.part(0, *t) : run.curve.part(*t, 1);
+          met[static_cast<std::size_t>(run.meets[end])].push_back(end ? run.curve.end : run.curve.start);
+        }
+    }
+    std::vector<Edge> edges;
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      std::vector<Curve> parts;
+      std::vector<std::array<double, 2>> olds;
+      for (Run& run : all[k]) {
+        for (const bool end : {false, true})
+          if (run.meets[end] >= 0) {
+            const std::vector<Flat>& both = met[static_cast<std::size_t>(run.meets[end])];
+            (end ? run.curve.end : run.curve.start) = lerp(both.front(), both.back(), 0.5);
+          }
+        parts.push_back(run.curve), olds.push_back(run.old);
+      }
+      const bool whole = parts.size() == 1 && olds.front()[0] == 0 && olds.front()[1] == 1;
+      if (whole) {
+        edges.push_back({edges_[k].name, parts.front()});
+        continue;
+      }
+      const Led now = together(std::move(parts), olds, rounded(k == from_));
+      keepMap(edges_[k].name, now);
+      edges.push_back({edges_[k].name, now.curve});
+    }
+    return edges;
+  }
+
+  Done foldLine(InternalLine& line) {
+    for (Curve& curve : line.curves) {
+      std::vector<Curve> parts;
+      std::vector<std::array<double, 2>> olds;
+      const auto found = partsAcross(curve, {a_, b_});
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        const double from = found[k].first, to = k + 1 < found.size() ? found[k + 1].first : 1;
+        const bool ahead = parts_.isAhead(found[k].second.at(0.5));
+        const Curve moved = parts_.motion(ahead)(found[k].second);
+        const auto t0 = staysUpTo(moved, ahead, false), t1 = staysUpTo(moved, ahead, true);
+        if (!t0 || !t1 || *t1 - *t0 < 1e-9) continue;
+        const double whole = moved.length();
+        olds.push_back(
+            {from + (to - from) * moved.lengthTo(*t0) / whole, from + (to - from) * moved.lengthTo(*t1) / whole});
+        parts.push_back(*t0 == 0 && *t1 == 1 ? moved : moved.part(*t0, *t1));
+      }
+      if (parts.empty())
+        return refused(say("“{0}” lies where the paper is folded out; take the line away first.", line.name));
+      if (parts.size() == 1 && olds.front()[0] == 0 && olds.front()[1] == 1) {
+        curve = parts.front();
+        continue;
+      }
+      const Led now = together(std::move(parts), olds, 0);
+      if (line.curves.size() == 1 && !findEdge(piece_, line.name)) keepMap(line.name, now);
+      curve = now.curve;
+    }
+    for (std::size_t k = 0; k + 1 < line.curves.size(); ++k)
+      if (distance(line.curves[k].end, line.curves[k + 1].start) > kWay)
+        return refused(
+            say("A corner of “{0}” lies where the paper is folded out; take the line away first.", line.name));
+    return {};
+  }
+
+  Done lead(InternalLine& line) {
     for (Curve& curve : line.curves) {
       const auto found = partsAcross(curve, {a_, b_});
       std::vector<Curve> parts;
@@ -341,12 +526,13 @@ class Slashing {
       if (line.curves.size() == 1 && !findEdge(piece_, line.name)) keepMap(line.name, now);
       curve = now.curve;
     }
+    return {};
   }
 
   // Where the paper of the form is now: as it was moved, and beside the slash evenly between, so that the cloth over
   // the opening comes from a wider strip and is not all folded into one line.
   std::shared_ptr<const Form> stretched(const Form& form) const {
-    const double band = kBand * std::max(slash_.by, slash_.toBy);
+    const double band = kBand * std::max(std::abs(slash_.by), std::abs(slash_.toBy));
     const auto reach = [&](const Ring& ring) {
       double most = 0;
       for (const Flat p : ring) most = std::max(most, distanceToSegment(a_, b_, p));

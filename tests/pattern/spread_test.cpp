@@ -203,6 +203,68 @@ TEST(Spread, IsMirroredOnACopy) {
   for (const Flat p : other->edited.piece.outline.flattened(1e-4)) EXPECT_LT(distanceToRing(image, p), 2e-6);
 }
 
+// What lies double is gone, half of it on either side; what is beside it keeps its shape.
+TEST(Spread, FoldsPaperOut) {
+  const auto parallel = spreadPiece(panel(), slashed(-0.05, -0.05, true));
+  ASSERT_TRUE(parallel) << text(parallel.error().what);
+  const Piece& narrow = parallel->edited.piece;
+  EXPECT_NEAR(narrow.outline.area(), (kWidth - 0.05) * kHeight, 1e-9);
+  EXPECT_NEAR(edgeLength(narrow, "hem"), kWidth - 0.05, 1e-9);
+  EXPECT_EQ(findEdge(narrow, "hem")->curve.kind, Curve::Kind::Line);
+  EXPECT_NEAR(edgeLength(narrow, "left"), kHeight, 1e-9);
+  // A wedge to nothing: the hem turns where it was.
+  const double half = std::asin(0.05 / 2 / kHeight), gone = kHeight * std::tan(half);
+  const auto wedge = spreadPiece(panel(), slashed(-0.05, 0));
+  ASSERT_TRUE(wedge) << text(wedge.error().what);
+  const Piece& bent = wedge->edited.piece;
+  EXPECT_NEAR(bent.outline.area(), kWidth * kHeight - gone * kHeight, 1e-9);
+  EXPECT_NEAR(edgeLength(bent, "hem"), kWidth - 2 * gone, 1e-9);
+  EXPECT_NEAR(edgeLength(bent, "waist"), kWidth, 1e-9);
+  for (const char* side : {"left", "right"}) EXPECT_NEAR(edgeLength(bent, side), kHeight, 1e-9);
+  const auto smooth = spreadPiece(panel(), slashed(-0.05, 0, true));
+  ASSERT_TRUE(smooth);
+  EXPECT_LT(edgeLength(smooth->edited.piece, "hem"), edgeLength(bent, "hem"));
+  EXPECT_NEAR(edgeLength(smooth->edited.piece, "hem"), edgeLength(bent, "hem"), 1e-3);
+}
+
+// Of a tapered sleeve the sides meet half-way: no step is left on them.
+TEST(Spread, FoldsASleeveShorter) {
+  Piece sleeve = pieceOf(1, polygon({{0.05, 0}, {0.25, 0}, {0.32, 0.4}, {-0.02, 0.4}}), "sleeve");
+  const char* names[] = {"hem", "front", "cap", "back"};
+  for (std::size_t k = 0; k < 4; ++k) sleeve.outline.edges[k].name = names[k];
+  sleeve.marks = {{"low", "front", 0.2, {}}, {"gone", "front", 0.5, {}}};
+  sleeve.lines = {{"along", {Curve::line({0.15, 0.02}, {0.15, 0.38})}, std::nullopt},
+                  {"in", {Curve::line({0.1, 0.19}, {0.1, 0.3})}, std::nullopt}};
+  Slash slash{"front", "back"};
+  slash.by = slash.toBy = -0.04;
+  const double before = edgeLength(sleeve, "front");
+  const auto folded = spreadPiece(sleeve, slash);
+  ASSERT_TRUE(folded) << text(folded.error().what);
+  const Piece& now = folded->edited.piece;
+  const FlatBox box = boxOf(now.outline.flattened(1e-4));
+  EXPECT_NEAR(box.high.v - box.low.v, 0.36, 1e-6);
+  EXPECT_NEAR(edgeLength(now, "hem"), 0.2, 1e-9);
+  EXPECT_NEAR(edgeLength(now, "cap"), 0.34, 1e-9);
+  for (const char* side : {"front", "back"}) {
+    EXPECT_NEAR(edgeLength(now, side), before * 0.9, 0.002);
+    const Curve& curve = findEdge(now, side)->curve;
+    for (double at = 0.05; at < 1; at += 0.05)  // never back, nor far to a side
+      EXPECT_GT(
+          dot(normalized(curve.atFraction(at) - curve.atFraction(at - 0.05)), normalized(curve.end - curve.start)),
+          0.98);
+  }
+  EXPECT_NEAR(findEdge(now, "front")->curve.atFraction(now.marks[0].fraction).v - box.low.v, 0.08, 1e-3);
+  EXPECT_NEAR(findEdge(now, "front")->curve.atFraction(now.marks[1].fraction).v - box.low.v, 0.18, 2e-3);
+  EXPECT_NEAR(now.lines[0].curves.front().length(), 0.36 - 0.04, 1e-6);
+  EXPECT_NEAR(now.lines[1].curves.front().length(), 0.11 - 0.03, 1e-6) << "what of it lies in the fold goes";
+  double covered = 0;
+  for (const EdgePart& part : folded->edited.edges.at({now.id, "front"})) {
+    EXPECT_NEAR(part.from, covered, 1e-12);
+    covered = part.to;
+  }
+  EXPECT_EQ(covered, 1);
+}
+
 TEST(Spread, SaysWhatIsWrong) {
   const auto why = [](const Piece& piece, const Slash& slash) {
     const auto result = spreadPiece(piece, slash);
@@ -213,12 +275,20 @@ TEST(Spread, SaysWhatIsWrong) {
   EXPECT_NE(why(panel(), slash).find("from one edge to another"), std::string::npos);
   EXPECT_NE(why(panel(), slashed(0.7, 0)).find("cannot open"), std::string::npos);
   EXPECT_NE(why(panel(), slashed(0, 0)).find("more than 0"), std::string::npos);
+  EXPECT_NE(why(panel(), slashed(-0.05, 0.05)).find("or folded out at both"), std::string::npos);
+  EXPECT_NE(why(panel(), slashed(-0.45, -0.45)).find("cannot be folded out"), std::string::npos);
   slash = slashed(0.05, 0);
   slash.to = "gone";
   EXPECT_NE(why(panel(), slash).find("no edge"), std::string::npos);
   Piece holed = panel();
   holed.holes = {circle(0.03, {0.2, 0.3})};
   EXPECT_NE(why(holed, slashed(0.05, 0)).find("hole"), std::string::npos);
+  Piece beside = panel();
+  beside.holes = {circle(0.01, {0.215, 0.3})};
+  EXPECT_NE(why(beside, slashed(-0.05, -0.05)).find("lies where the paper is folded out"), std::string::npos);
+  beside.holes.clear();
+  beside.lines = {{"grain", {Curve::line({0.205, 0.1}, {0.205, 0.5})}, std::nullopt}};
+  EXPECT_NE(why(beside, slashed(-0.05, -0.05)).find("take the line away first"), std::string::npos);
   Piece hollow;
   hollow.outline = polygon({{0, 0}, {0.4, 0}, {0.4, 0.6}, {0.3, 0.6}, {0.2, 0.2}, {0.1, 0.6}, {0, 0.6}});
   Slash over{"e2", "e5"};

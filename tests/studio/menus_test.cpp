@@ -292,7 +292,7 @@ TEST(StudioMenus, BothPlacesOfASlashAreShownAsShares) {
   w.click(w.table(), on("armhole_left"));
   w.rest();
   rightClick(w, w.table(), on("hem_left"));
-  chooseEntry(w, "Slash to left armhole of front and spread…");
+  chooseEntry(w, "Slash to left armhole of front and spread or fold out…");
   auto* numbers = w.main().findChild<QDialog*>("step_dialog");
   ASSERT_TRUE(numbers);
   for (const char* place : {"at", "to_at"})

@@ -254,7 +254,8 @@ struct SlashAndSpread {
   static void fields(Self& self, Visit&& visit) {
     visit("from", self.from, "the edge, or the part of it, from which the paper is slashed", kNeeded);
     visit("to", self.to, "the edge, or the part of it, to which it is slashed", kNeeded);
-    visit("by", self.by, "how wide each slash is opened at the first edge", kOptional);
+    visit("by", self.by, "how wide each slash is opened at the first edge; less than nothing: as much is folded out",
+          kOptional);
     visit("to_by", self.toBy, "how wide at the other; 0: it is hinged there", kOptional);
     visit("at", self.at, "the place of a single slash on the first edge, as a share of its length", kOptional);
     visit("to_at", self.toAt, "its place on the other", kOptional);
@@ -387,8 +388,8 @@ struct TakeIn {
   Choice whole = Choice::Auto;
   Choice together = Choice::Auto;
   std::optional<double> at;
-  template <class Self, class Visit>
   bool moves = false;
+  template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edges", self.edges, "the edges", kNeeded);
     visit("by", self.by, "how far each goes into its piece, square to the line between its ends", kOptional);
@@ -398,10 +399,10 @@ struct TakeIn {
           kOptional);
     visit("partners", self.partners, "the edges they are sewn to go as far, so that the seams still fit: yes, no",
           kOptional);
-    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
     visit("moves", self.moves,
           "yes: what they are sewn to is let out as far instead, so that the seam moves, as a shoulder seam forward",
           kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
     visit("whole", self.whole,
           "all of a curved edge goes, not its ends alone: auto, yes, no (auto: yes, but no in a record that does not "
           "have it)",
