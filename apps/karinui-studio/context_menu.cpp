@@ -168,6 +168,11 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
     place.at = session_->snapshot().body->describe(hit.skin);
     return menuOfPlace(place, global);
   }
+  if (hit.on == Hit::On::Body && session_->selection().pieces.size() > 1 && session_->snapshot().body) {
+    QMenu* menu = contextMenuOf(*this);
+    menu->addAction(inWords(say("Only one piece is wrapped round here: choose it alone")))->setEnabled(false);
+    return menu->popup(global);
+  }
   const auto led = session_->selection().edge;
   // Pointing at cloth or paper with another piece chosen: that piece, if it is sewn to nothing, can be sewn on there.
   patch_.reset();
@@ -482,8 +487,13 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
 
 void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
   const Document& document = session_->snapshot().document;
-  const Piece* first = document.find(*chosen.pieces.begin());
-  if (!first) return;
+  std::vector<const Piece*> pieces;
+  for (const PieceId id : chosen.pieces)
+    if (const Piece* piece = document.find(id)) pieces.push_back(piece);
+  if (pieces.empty()) return;
+  const auto allOf = [&](const auto& so) {
+    return std::all_of(pieces.begin(), pieces.end(), [&](const Piece* piece) { return so(*piece); });
+  };
   QMenu* fabrics = menu.addMenu(inWords(say("Fabric")));
   fabrics->setEnabled(!session_->readOnly());
   for (const std::string& name : fabricNames(document)) {
@@ -492,7 +502,7 @@ void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
     for (const PieceId id : chosen.pieces) set.pieces.push_back(PieceRef(id));
     QAction* one = fabrics->addAction(nameText(name));
     one->setCheckable(true);
-    one->setChecked(name == first->fabric);
+    one->setChecked(allOf([&](const Piece& piece) { return piece.fabric == name; }));
     connect(one, &QAction::triggered, this, [this, set] {
       session_->perform(set);
       refresh();
@@ -501,18 +511,22 @@ void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
   for (const Command c : {Command::Duplicate, Command::Mirror}) menu.addAction(actions_[c]);
   FuseInterfacing fuse;
   LinePieces line;
-  for (const PieceId id : chosen.pieces) fuse.pieces.push_back(PieceRef(id)), line.pieces.push_back(PieceRef(id));
-  fuse.none = !first->interfacing.empty();
+  fuse.none = allOf([](const Piece& piece) { return !piece.interfacing.empty(); });
+  for (const Piece* piece : pieces) {
+    line.pieces.push_back(PieceRef(piece->id));
+    if (fuse.none || piece->interfacing.empty()) fuse.pieces.push_back(PieceRef(piece->id));  // it keeps its own
+  }
   offer(menu, fuse.none ? say("Take the interfacing off") : say("Fuse interfacing"), fuse);
-  offer(menu, say("Line it"), line);
+  const bool alone = pieces.size() == 1;
+  offer(menu, alone ? say("Line it") : say("Line them"), line);
   if (const LinePieces free = hangingLining(session_->snapshot().document, line.pieces); !free.open.empty())
-    offer(menu, say("Line it, free at the hem"), free);
+    offer(menu, alone ? say("Line it, free at the hem") : say("Line them, free at the hem"), free);
   FreezePieces freeze;
   RemovePieces remove;
   for (const PieceId id : chosen.pieces) freeze.pieces.push_back(PieceRef(id)), remove.pieces.push_back(PieceRef(id));
-  freeze.frozen = !first->frozen;
+  freeze.frozen = !allOf([](const Piece& piece) { return piece.frozen; });
   offer(menu, freeze.frozen ? say("Freeze") : say("Thaw"), freeze);
-  offer(menu, say("Remove the piece"), remove);
+  offer(menu, alone ? say("Remove the piece") : say("Remove the {0} {0|piece|pieces}", pieces.size()), remove);
 }
 
 }  // namespace karinui::studio

@@ -2,16 +2,22 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
-#include <QSpinBox>
+#include <algorithm>
 
 #include "theme.h"
 
 namespace karinui::studio {
 
+namespace {
+
+constexpr int kLeastPairs = 2;
+
+}  // namespace
+
 CutBoard::CutBoard(Session& session) : session_(session) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  count_ = new QSpinBox;
+  count_ = new MixedBox<QSpinBox>;
   count_->setObjectName("cut_count");
   count_->setRange(1, kMostCut);
   count_->setKeyboardTracking(false);
@@ -25,14 +31,16 @@ CutBoard::CutBoard(Session& session) : session_(session) {
   row->addWidget(count_);
   row->addWidget(pairs_, 1);
   connect(count_, &QSpinBox::valueChanged, this,
-          [this](int count) { perform(count, pairs_->isChecked() && count % 2 == 0); });
+          [this](int count) { perform(count, pairs_->checkState() == Qt::Checked && count % 2 == 0); });
   // Pairs are an even number.
-  connect(pairs_, &QCheckBox::clicked, this,
-          [this](bool on) { perform(count_->value() + (on && count_->value() % 2 != 0 ? 1 : 0), on); });
+  connect(pairs_, &QCheckBox::clicked, this, [this](bool on) {
+    const int count = count_->showsDash() ? kLeastPairs : count_->value();
+    perform(count + (on && count % 2 != 0 ? 1 : 0), on);
+  });
 }
 
 void CutBoard::perform(int count, bool pairs) {
-  if (filling_ || session_.selection().pieces.empty()) return;
+  if (filling_ || session_.selection().pieces.empty() || count < 1) return;
   SetQuantity op;
   for (const PieceId id : session_.selection().pieces) op.pieces.push_back(PieceRef(id));
   op.count = count, op.pairs = pairs;
@@ -42,11 +50,17 @@ void CutBoard::perform(int count, bool pairs) {
 void CutBoard::refresh() {
   if (session_.selection().pieces.empty()) return;
   const auto& all = session_.snapshot().document.cutting;
-  const auto own = all.find(*session_.selection().pieces.begin());
-  const Cutting cutting = own == all.end() ? Cutting() : own->second;
+  std::set<int> counts;
+  std::set<bool> pairs;
+  for (const PieceId id : session_.selection().pieces) {
+    const auto own = all.find(id);
+    const Cutting cutting = own == all.end() ? Cutting() : own->second;
+    counts.insert(cutting.count), pairs.insert(cutting.pairs);
+  }
   filling_ = true;
-  count_->setValue(cutting.count);
-  pairs_->setChecked(cutting.pairs);
+  count_->setMixed(counts.size() > 1);
+  if (counts.size() == 1) count_->setValue(*counts.begin());
+  showTicked(*pairs_, pairs);
   filling_ = false;
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 // How often the chosen pieces are cut from the cloth. GUI thread.
+#include <QSpinBox>
 #include <QWidget>
 
 #include "karinui/session/session.h"
+#include "mixed_box.h"
 
 class QCheckBox;
-class QSpinBox;
 
 namespace karinui::studio {
 
@@ -19,7 +20,7 @@ class CutBoard : public QWidget {
   void perform(int count, bool pairs);
 
   Session& session_;
-  QSpinBox* count_;
+  MixedBox<QSpinBox>* count_;
   QCheckBox* pairs_;
   bool filling_ = false;
 };

@@ -1,6 +1,4 @@
-#include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -8,8 +6,8 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSpinBox>
 #include <QTreeWidget>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +21,7 @@
 #include "karinui/design/truing_said.h"
 #include "karinui/design/variant.h"
 #include "karinui/pattern/edit.h"
+#include "karinui/pattern/likeness.h"
 #include "karinui/pattern/symmetry.h"
 #include "length_box.h"
 #include "length_choice.h"
@@ -74,8 +73,8 @@ std::optional<std::string> newName(const QLineEdit& box, const std::string& now,
   return nameTyped(typed);
 }
 
-QDoubleSpinBox* number(double low, double high, int decimals, const char* unit) {
-  auto* box = new QDoubleSpinBox;
+MixedBox<QDoubleSpinBox>* number(double low, double high, int decimals, const char* unit) {
+  auto* box = new MixedBox<QDoubleSpinBox>;
   box->setRange(low, high);
   box->setDecimals(decimals);
   box->setSuffix(QString::fromUtf8(unit));
@@ -121,17 +120,24 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   pieceBoard_ = new QWidget;
   auto* form = new QFormLayout(pieceBoard_);
   form->setContentsMargins(0, 0, 0, 0);
-  form->addRow(title(say("Piece")));
+  pieceTitle_ = new QLabel;
+  pieceTitle_->setObjectName("piece_title");
+  pieceTitle_->setProperty("role", "title");
+  form->addRow(pieceTitle_);
   name_ = new QLineEdit;
+  name_->setObjectName("piece_name");
   fabric_ = new QComboBox;
+  fabric_->setObjectName("piece_fabric");
   letShrink(*fabric_);
-  layer_ = new QSpinBox;
+  layer_ = new MixedBox<QSpinBox>;
   layer_->setObjectName("piece_layer");
   layer_->setRange(0, 20);
   layer_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   frozen_ = new QCheckBox;
+  frozen_->setObjectName("piece_frozen");
   Theme::here().keep(frozen_, [this] { frozen_->setText(inWords(say("stays as it is"))); });
   grain_ = number(-180, 180, 1, " °");
+  grain_->setObjectName("piece_grain");
   area_ = new QLabel;
   area_->setProperty("role", "faint");
   form->addRow(word(say("Name")), name_);
@@ -188,7 +194,15 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, [this] {
     if (filling_) return;
     Selection selection;
-    for (const QTreeWidgetItem* item : tree_->selectedItems()) {
+    QList<QTreeWidgetItem*> items = tree_->selectedItems();
+    // Several pieces can be chosen, of anything else one: that which was clicked last.
+    QTreeWidgetItem* last = tree_->currentItem();
+    if (items.size() > 1 && last && last->isSelected()) {
+      const auto isPiece = [](const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).toInt() == kPiece; };
+      if (!isPiece(last)) items = {last};
+      items.removeIf([&](const QTreeWidgetItem* item) { return item != last && !isPiece(item); });
+    }
+    for (const QTreeWidgetItem* item : items) {
       const PieceId piece{item->data(0, Qt::UserRole + 1).toULongLong()};
       switch (item->data(0, Qt::UserRole).toInt()) {
         case kPiece:
@@ -215,9 +229,9 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
     }
     session_.select(selection);
   });
-  const auto pieceChosen = [this]() -> const Piece* {
-    if (filling_ || session_.selection().pieces.empty()) return nullptr;
-    return session_.snapshot().document.find(*session_.selection().pieces.begin());
+  const auto pieceChosen = [this]() -> const Piece* {  // alone
+    const auto pieces = chosenPieces();
+    return filling_ || pieces.size() != 1 ? nullptr : pieces.front();
   };
   connect(name_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
     name_->setModified(false);
@@ -229,27 +243,30 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
     rename.to = *wanted;
     session_.perform(rename);
   });
-  connect(fabric_, &QComboBox::activated, this, [this, pieceChosen] {
-    const Piece* piece = pieceChosen();
+  const auto allAre = [this](const auto& so) {  // or none is chosen
+    const auto pieces = chosenPieces();
+    return filling_ || std::all_of(pieces.begin(), pieces.end(), [&](const Piece* piece) { return so(*piece); });
+  };
+  connect(fabric_, &QComboBox::activated, this, [this, allAre] {
     SetFabric set;
     set.name = fabric_->currentData().toString().toStdString();
-    if (!piece || set.name == piece->fabric) return;
-    for (const PieceId id : session_.selection().pieces) set.pieces.push_back(PieceRef(id));
+    if (allAre([&](const Piece& piece) { return piece.fabric == set.name; })) return;
+    set.pieces = chosenRefs();
     session_.perform(set);
   });
-  connect(layer_, &QSpinBox::editingFinished, this, [this, pieceChosen] {
-    const Piece* piece = pieceChosen();
-    if (!piece || layer_->value() == piece->layer) return;
-    session_.perform(SetLayer{{PieceRef(piece->id)}, layer_->value()});
+  connect(layer_, &QSpinBox::editingFinished, this, [this, allAre] {
+    const int layer = layer_->value();
+    if (layer_->showsDash() || allAre([&](const Piece& piece) { return piece.layer == layer; })) return;
+    session_.perform(SetLayer{chosenRefs(), layer});
   });
-  connect(frozen_, &QCheckBox::clicked, this, [this, pieceChosen](bool on) {
-    if (const Piece* piece = pieceChosen()) session_.perform(FreezePieces{{PieceRef(piece->id)}, on});
+  connect(frozen_, &QCheckBox::clicked, this, [this, allAre](bool on) {
+    if (!allAre([&](const Piece& piece) { return piece.frozen == on; }))
+      session_.perform(FreezePieces{chosenRefs(), on});
   });
-  connect(grain_, &QDoubleSpinBox::valueChanged, this, [this, pieceChosen](double degrees) {
-    const Piece* piece = pieceChosen();
-    if (!piece) return;
+  connect(grain_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
+    if (filling_ || grain_->showsDash() || chosenPieces().empty()) return;
     const double a = degrees * std::numbers::pi / 180;
-    session_.perform(SetGrain{PieceRef(piece->id), {std::sin(a), std::cos(a)}});
+    session_.perform(SetGrain{chosenRefs(), {std::sin(a), std::cos(a)}});
   });
   connect(edgeName_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
     edgeName_->setModified(false);
@@ -437,36 +454,92 @@ void GarmentPanel::fillTree() {
   filling_ = false;
 }
 
+std::vector<const Piece*> GarmentPanel::chosenPieces() const {
+  std::vector<const Piece*> pieces;
+  for (const PieceId id : session_.selection().pieces)
+    if (const Piece* piece = session_.snapshot().document.find(id)) pieces.push_back(piece);
+  return pieces;
+}
+std::vector<PieceRef> GarmentPanel::chosenRefs() const {
+  std::vector<PieceRef> refs;
+  for (const Piece* piece : chosenPieces()) refs.push_back(PieceRef(piece->id));
+  return refs;
+}
+
+// What all have is shown, and a dash where they differ.
+void GarmentPanel::fillPieces(const std::vector<const Piece*>& pieces) {
+  const Document& document = session_.snapshot().document;
+  const Piece& first = *pieces.front();
+  const bool alone = pieces.size() == 1;
+  const auto differ = [&](const auto& of) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Piece* piece) { return !(of(*piece) == of(first)); });
+  };
+  pieceTitle_->setText(inWords(alone ? say("Piece") : say("{0} {0|piece|pieces}", pieces.size())));
+  showName(*name_, first.name, alone ? nameText(first.name) : QString());
+  name_->setEnabled(alone);
+  name_->setPlaceholderText(alone ? QString() : mixedWord());
+  if (!alone) name_->setToolTip(inWords(say("Each piece has a name of its own; choose one alone.")));
+  fabric_->clear();
+  fabric_->setPlaceholderText(mixedWord());
+  const auto add = [this](const std::string& name) {
+    const QString word = QString::fromStdString(name);
+    if (fabric_->findData(word) < 0) fabric_->addItem(nameText(name), word);
+  };
+  for (const std::string& name : fabricNames(document)) add(name);
+  const bool fabrics = differ([](const Piece& one) { return one.fabric; });
+  fabric_->setCurrentIndex(fabrics ? -1 : fabric_->findData(QString::fromStdString(first.fabric)));
+  const auto show = [&](auto& box, bool differs, auto value) {
+    if (beingTyped(*box.template findChild<QLineEdit*>())) return;
+    box.setMixed(differs);
+    if (!differs) box.setValue(value);
+  };
+  show(*layer_, differ([](const Piece& one) { return one.layer; }), first.layer);
+  std::set<bool> frozen;
+  for (const Piece* piece : pieces) frozen.insert(piece->frozen);
+  showTicked(*frozen_, frozen);
+  // Symmetric copies have the mirror image of the grain.
+  const auto degrees = [&](const Piece& one) {
+    const auto like = std::find_if(pieces.begin(), pieces.end(), [&](const Piece* of) {
+      return of->id == one.mirrorOf && edgeOnCopy(one, *of, of->outline.edges.front().name);
+    });
+    const double across = like == pieces.end() ? one.grain.u : -one.grain.u;
+    return std::atan2(across, one.grain.v) * 180 / std::numbers::pi;
+  };
+  constexpr double kSame = 0.05;  // degrees, as they are shown
+  show(*grain_,
+       std::any_of(pieces.begin(), pieces.end(),
+                   [&](const Piece* one) { return std::fabs(degrees(*one) - degrees(first)) > kSame; }),
+       degrees(first));
+  cut_->refresh();
+  std::vector<Look> looks;
+  std::vector<Flat> shifts;
+  double area = 0;
+  for (const Piece* piece : pieces) {
+    looks.push_back(lookOf(document, *piece));
+    const auto shift = document.looks.shifts.find(piece->id);
+    shifts.push_back(shift == document.looks.shifts.end() ? Flat() : shift->second);
+    area += piece->outline.area();
+  }
+  look_->show(std::move(looks), std::move(shifts));
+  area_->setText(alone ? areaText(area) : inWords(say("{0} together", areaText(area).toStdString())));
+}
+
 void GarmentPanel::fillProperties() {
   filling_ = true;
   const Document& document = session_.snapshot().document;
   const Selection& selection = session_.selection();
-  const Piece* piece = selection.pieces.empty() ? nullptr : document.find(*selection.pieces.begin());
+  const auto pieces = chosenPieces();
+  const Piece* piece = selection.edge   ? document.find(selection.edge->piece)
+                       : pieces.empty() ? nullptr
+                                        : pieces.front();
   const bool hasEdge = piece && selection.edge.has_value();
   // What is typed on would go into the next box.
   if (const QWidget* typed = window()->focusWidget();
       typed && ((!piece && pieceBoard_->isAncestorOf(typed)) || (!hasEdge && edgeBoard_->isAncestorOf(typed))))
     tree_->setFocus();
-  pieceBoard_->setVisible(piece);
+  pieceBoard_->setVisible(!pieces.empty());
   edgeBoard_->setVisible(hasEdge);
-  if (piece) {
-    showName(*name_, piece->name, nameText(piece->name));
-    fabric_->clear();
-    const auto add = [this](const std::string& name) {
-      const QString word = QString::fromStdString(name);
-      if (fabric_->findData(word) < 0) fabric_->addItem(nameText(name), word);
-    };
-    for (const std::string& name : fabricNames(document)) add(name);
-    fabric_->setCurrentIndex(fabric_->findData(QString::fromStdString(piece->fabric)));
-    if (!beingTyped(*layer_->findChild<QLineEdit*>())) layer_->setValue(piece->layer);
-    frozen_->setChecked(piece->frozen);
-    if (!beingTyped(*grain_->findChild<QLineEdit*>()))
-      grain_->setValue(std::atan2(piece->grain.u, piece->grain.v) * 180 / std::numbers::pi);
-    cut_->refresh();
-    const auto shift = document.looks.shifts.find(piece->id);
-    look_->show(lookOf(document, *piece), shift == document.looks.shifts.end() ? Flat() : shift->second);
-    area_->setText(areaText(piece->outline.area()));
-  }
+  if (!pieces.empty()) fillPieces(pieces);
   if (piece && selection.edge) {
     if (const Edge* edge = findEdge(*piece, selection.edge->edge)) {
       showName(*edgeName_, edge->name, inWords(edgeNameSaid(document, *piece, edge->name)));

@@ -2,7 +2,6 @@
 
 #include <QColorDialog>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -76,7 +75,7 @@ LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> a
   rows->addRow(word(fieldSaid("look", "ink")), inkRow_);
   repeat_ = new LengthBox(fieldSaid("look", "repeat"), 0.001, 2);
   rows->addRow(word(fieldSaid("look", "repeat")), repeat_);
-  turn_ = new QDoubleSpinBox;
+  turn_ = new MixedBox<QDoubleSpinBox>;
   turn_->setRange(-180, 180);
   turn_->setDecimals(1);
   turn_->setSuffix(" °");
@@ -121,16 +120,18 @@ LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> a
 
   connect(finish_, &QComboBox::activated, this, [this](int k) {
     const auto finish = static_cast<Finish>(k);
-    if (finish != shown_.finish) perform([finish](SetLook& look) { look.finish = finish; });
+    if (finish != shown_.finish || differs([](const Look& one) { return one.finish; }))
+      perform([finish](SetLook& look) { look.finish = finish; });
   });
   connect(print_, &QComboBox::activated, this, [this](int k) {
     const auto kind = static_cast<PrintKind>(k);
     if (kind == PrintKind::Photo && shown_.photo.empty()) return askPhoto();
-    if (kind != shown_.print) perform([kind](SetLook& look) { look.print = kind; });
+    if (kind != shown_.print || differs([](const Look& one) { return one.print; }))
+      perform([kind](SetLook& look) { look.print = kind; });
   });
   connect(wrongPrint_, &QComboBox::activated, this, [this](int k) {
     const auto kind = static_cast<PrintKind>(k);
-    if (kind != (shown_.wrong ? shown_.wrong->print : PrintKind::None))
+    if (kind != wrongPrintIn(shown_) || differs(wrongPrintIn))
       perform([kind](SetLook& look) { look.wrongPrint = kind; });
   });
   connect(across_, &LengthBox::typed, this, [this](double metres) {
@@ -142,6 +143,7 @@ LookBoard::LookBoard(Session& session, std::function<std::optional<SetLook>()> a
   connect(repeat_, &LengthBox::typed, this,
           [this](double metres) { perform([metres](SetLook& look) { look.repeat = Length{metres}; }); });
   connect(turn_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
+    if (turn_->showsDash()) return;
     perform([degrees](SetLook& look) { look.turn = Angle{degrees * std::numbers::pi / 180}; });
   });
   connect(photo_, &QPushButton::clicked, this, [this] { askPhoto(); });
@@ -171,59 +173,89 @@ QWidget* LookBoard::dyeRow(const Message& name, QPushButton*& button, QLineEdit*
   });
   connect(swatch, &QPushButton::clicked, this, [this, name, typed, field] {
     const QColor chosen = QColorDialog::getColor(QColor(typed->text()), this, inWords(name));
-    if (chosen.isValid() && dyeOf(chosen) != shownDye(field))
+    const bool mixed = differs([&](const Look& one) { return dyeIn(one, field); });
+    if (chosen.isValid() && (mixed || dyeOf(chosen) != shownDye(field)))
       perform([&](SetLook& look) { look.*field = dyeOf(chosen); });
   });
   connect(typed, &QLineEdit::editingFinished, this, [this, typed, field] {
     typed->setModified(false);
     const Dye now = shownDye(field);
+    const bool mixed = differs([&](const Look& one) { return dyeIn(one, field); });
     QString words = typed->text().trimmed();
+    if (mixed && words.isEmpty()) return;
     if (!words.startsWith('#')) words.prepend('#');
     const QColor wanted(words);
     if (!wanted.isValid()) {
       const std::string refusal = typed->text().trimmed().toStdString();
-      typed->setText(onScreen(now).name());
+      typed->setText(mixed ? QString() : onScreen(now).name());
       return session_.refuse(refused(say("“{0}” is no colour; type one like {1}.", refusal, "#1f3b6e")));
     }
-    if (dyeOf(wanted) == now) return;
+    if (dyeOf(wanted) == now && !mixed) return;
     perform([&](SetLook& look) { look.*field = dyeOf(wanted); });
   });
   return row;
 }
 
-Dye LookBoard::shownDye(std::optional<Dye> SetLook::*field) const {
-  if (field == &SetLook::colour) return shown_.colour;
-  if (field == &SetLook::ink) return shown_.ink;
-  const WrongSide wrong = shown_.wrong.value_or(WrongSide{shown_.colour, PrintKind::None, shown_.ink});
+Dye LookBoard::dyeIn(const Look& look, std::optional<Dye> SetLook::*field) {
+  if (field == &SetLook::colour) return look.colour;
+  if (field == &SetLook::ink) return look.ink;
+  const WrongSide wrong = look.wrong.value_or(WrongSide{look.colour, PrintKind::None, look.ink});
   return field == &SetLook::wrong ? wrong.colour : wrong.ink;
 }
 
-void LookBoard::paint(QPushButton& button, QLineEdit& box, const Dye& dye) {
-  const QString name = onScreen(dye).name();
-  button.setStyleSheet("background: " + name + ";");
-  if (!beingTyped(box)) box.setText(name);
+void LookBoard::paint(QPushButton& button, QLineEdit& box, std::optional<Dye> SetLook::*field) {
+  const bool mixed = differs([&](const Look& one) { return dyeIn(one, field); });
+  const QString name = onScreen(shownDye(field)).name();
+  button.setStyleSheet(mixed ? QString() : "background: " + name + ";");
+  button.setText(mixed ? mixedWord() : QString());
+  box.setPlaceholderText(mixed ? mixedWord() : QString());
+  if (!beingTyped(box)) box.setText(mixed ? QString() : name);
 }
 
 void LookBoard::show(const Look& look, std::optional<Flat> shift) {
+  show(std::vector{look}, shift ? std::vector{*shift} : std::vector<Flat>());
+}
+
+void LookBoard::show(std::vector<Look> looks, std::vector<Flat> shifts) {
   filling_ = true;
-  shown_ = look;
-  shift_ = shift;
-  finish_->setCurrentIndex(static_cast<int>(look.finish));
-  print_->setCurrentIndex(static_cast<int>(look.print));
-  paint(*colour_, *colourTyped_, look.colour);
-  paint(*ink_, *inkTyped_, look.ink);
-  repeat_->setMetres(look.repeat);
-  turn_->setValue(look.turn * 180 / std::numbers::pi);
-  paint(*wrong_, *wrongTyped_, shownDye(&SetLook::wrong));
-  paint(*wrongInk_, *wrongInkTyped_, shownDye(&SetLook::wrongInk));
-  const PrintKind wrongPrint = look.wrong ? look.wrong->print : PrintKind::None;
-  wrongPrint_->setCurrentIndex(static_cast<int>(wrongPrint));
-  wrongInkRow_->setVisible(hasInk(wrongPrint));
-  across_->setMetres(shift.value_or(Flat()).u), along_->setMetres(shift.value_or(Flat()).v);
+  looks_ = std::move(looks);
+  shown_ = looks_.front();
+  shifts_ = std::move(shifts);
+  shift_ = shifts_.empty() ? std::nullopt : std::optional(shifts_.front());
+  const auto choose = [&](QComboBox& box, const auto& of) {
+    box.setPlaceholderText(mixedWord());
+    box.setCurrentIndex(differs(of) ? -1 : static_cast<int>(of(shown_)));
+  };
+  choose(*finish_, [](const Look& one) { return one.finish; });
+  choose(*print_, [](const Look& one) { return one.print; });
+  choose(*wrongPrint_, wrongPrintIn);
+  paint(*colour_, *colourTyped_, &SetLook::colour);
+  paint(*ink_, *inkTyped_, &SetLook::ink);
+  paint(*wrong_, *wrongTyped_, &SetLook::wrong);
+  paint(*wrongInk_, *wrongInkTyped_, &SetLook::wrongInk);
+  const bool repeats = differs([](const Look& one) { return one.repeat; });
+  repeat_->setSpecialValueText(repeats ? mixedWord() : QString());
+  repeat_->setMetres(repeats ? repeat_->minimum() : shown_.repeat);
+  const bool turns = differs([](const Look& one) { return one.turn; });
+  turn_->setMixed(turns);
+  if (!turns) turn_->setValue(shown_.turn * 180 / std::numbers::pi);
+  const auto any = [&](const auto& of) { return std::any_of(looks_.begin(), looks_.end(), of); };
+  wrongInkRow_->setVisible(any([](const Look& one) { return hasInk(wrongPrintIn(one)); }));
+  // A step gives both numbers, and to all of the pieces.
+  const bool begins = std::any_of(shifts_.begin(), shifts_.end(), [&](Flat one) { return !(one == *shift_); });
+  for (LengthBox* box : {across_, along_}) {
+    box->setSpecialValueText(begins ? mixedWord() : QString());
+    box->setEnabled(!begins);
+    box->setToolTip(begins ? inWords(say("The print begins elsewhere on each of the chosen pieces; choose one alone."))
+                           : QString());
+  }
+  across_->setMetres(begins ? across_->minimum() : shift_.value_or(Flat()).u);
+  along_->setMetres(begins ? along_->minimum() : shift_.value_or(Flat()).v);
   auto* rows = static_cast<QFormLayout*>(printRows_->layout());
-  rows->setRowVisible(shiftRow_, shift.has_value());
-  rows->setRowVisible(inkRow_, hasInk(look.print));
-  printRows_->setVisible(look.print != PrintKind::None || wrongPrint != PrintKind::None);
+  rows->setRowVisible(shiftRow_, shift_.has_value());
+  rows->setRowVisible(inkRow_, any([](const Look& one) { return hasInk(one.print); }));
+  printRows_->setVisible(
+      any([](const Look& one) { return one.print != PrintKind::None || wrongPrintIn(one) != PrintKind::None; }));
   filling_ = false;
 }
 
@@ -240,7 +272,7 @@ void LookBoard::askPhoto() {
   const QString path = !look ? QString()
                              : QFileDialog::getOpenFileName(this, inWords(say("Photograph")), {},
                                                             inWords(say("Photographs")) + " (*.png *.jpg *.jpeg)");
-  if (path.isEmpty()) return show(shown_);
+  if (path.isEmpty()) return show(looks_, shifts_);
   session_.importPrint(path.toStdString(), *std::move(look));
 }
 

@@ -521,6 +521,7 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
         if (session_->readOnly()) return say("This garment was opened for reading only; keep a copy to work on it.");
         if (of == Of::Edge && !chosen()) return say("Choose an edge first.");
         if (of == Of::Piece && session_->selection().pieces.empty()) return say("Choose a piece first.");
+        if (of == Of::Piece && session_->selection().pieces.size() > 1) return say("Choose one piece alone.");
         return std::nullopt;
       }();
       action->setEnabled(!why);

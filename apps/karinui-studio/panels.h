@@ -1,18 +1,20 @@
 #pragma once
 // The boards at the right: the garment and its properties, figure, fabric, fit, history. Each shows the session and
 // asks it for operations; none keeps a state of its own. GUI thread.
+#include <QDoubleSpinBox>
+#include <QSpinBox>
 #include <QVBoxLayout>
 #include <QWidget>
 #include <functional>
 #include <span>
 
 #include "karinui/session/session.h"
+#include "mixed_box.h"
 #include "space_view.h"
 #include "step_field.h"
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
@@ -21,7 +23,6 @@ class QListWidgetItem;
 class QPushButton;
 class QScrollArea;
 class QSlider;
-class QSpinBox;
 class QTabBar;
 class QTreeWidget;
 
@@ -69,6 +70,9 @@ class GarmentPanel : public Panel {
  private:
   void fillTree();
   void fillProperties();
+  void fillPieces(const std::vector<const Piece*>& pieces);  // that are chosen
+  std::vector<const Piece*> chosenPieces() const;
+  std::vector<PieceRef> chosenRefs() const;
   void edgeTyped(const std::function<Result<Outline>(const Piece&)>& change);
   // The chosen edge, and what is sewn to it, by a length or, if it is not empty, a formula that comes to it.
   void takeIn(const std::string& formula, double metres);
@@ -77,9 +81,10 @@ class GarmentPanel : public Panel {
   QWidget* edgeBoard_;
   QLineEdit* name_;
   QComboBox* fabric_;
-  QSpinBox* layer_;
+  QLabel* pieceTitle_;
+  MixedBox<QSpinBox>* layer_;
   QCheckBox* frozen_;
-  QDoubleSpinBox* grain_;
+  MixedBox<QDoubleSpinBox>* grain_;
   QLabel* area_;
   LookBoard* look_;
   QLineEdit* edgeName_;

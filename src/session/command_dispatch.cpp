@@ -1,9 +1,31 @@
 // What keys, menus and the floating bar ask for.
+#include <algorithm>
 #include <cmath>
 
 #include "session/session_impl.h"
 
 namespace karinui {
+
+namespace {
+
+// It has its mirror image, or is one, or lies across the body's middle.
+bool onBothSides(const Document& document, PieceId id) {
+  constexpr double kNear = 0.05;  // metres: cloth at rest is not quite symmetric
+  const Piece& piece = *document.find(id);
+  if (document.find(piece.mirrorOf)) return true;
+  for (const auto& [other, copy] : document.pattern.pieces)
+    if (copy->mirrorOf == id) return true;
+  const Stand stand(piece);
+  std::vector<Vec3> corners;
+  for (const Edge& edge : piece.outline.edges) corners.push_back(stand(edge.curve.start));
+  return std::all_of(corners.begin(), corners.end(), [&](Vec3 corner) {
+    return std::any_of(corners.begin(), corners.end(), [&](Vec3 other) {
+      return distance(Vec3{-corner.x, corner.y, corner.z}, other) < kNear;
+    });
+  });
+}
+
+}  // namespace
 
 bool Session::Impl::has(Needs needs) const {
   const Document& document = state.snapshot->document;
@@ -145,18 +167,31 @@ void Session::command(Command command) {
       return in.perform(RemovePieces{chosen()});
     case Command::Duplicate: {
       DuplicatePiece copy;
-      copy.piece = chosen().front();
+      copy.pieces = chosen();
       copy.by = {0.05, 0, 0.05};
       return in.perform(std::move(copy));
     }
     case Command::Mirror: {
       MirrorPiece copy;
-      copy.piece = chosen().front(), copy.sewn = true;
+      copy.pieces = chosen(), copy.sewn = true;
+      if (copy.pieces.size() > 1) {  // of all that are chosen, those that have no other side yet
+        const Document& document = in.state.snapshot->document;
+        std::erase_if(copy.pieces, [&](const PieceRef& piece) { return onBothSides(document, piece.id); });
+        if (copy.pieces.empty())
+          return in.tell(Notice::Kind::Refused, say("Each of the chosen pieces is on both sides of the body already."));
+        if (const std::size_t left = in.selection.pieces.size() - copy.pieces.size(); left > 0)
+          in.tell(Notice::Kind::Said,
+                  say("{0} {0|piece|pieces} of the chosen {0|is|are} on both sides of the body already, and {0|is|are} "
+                      "not mirrored.",
+                      left));
+      }
       return in.perform(std::move(copy));
     }
     case Command::Freeze: {
-      const Piece* first = in.state.snapshot->document.find(chosen().front().id);
-      return in.perform(FreezePieces{chosen(), !first->frozen});
+      const Document& document = in.state.snapshot->document;
+      const bool all = std::all_of(in.selection.pieces.begin(), in.selection.pieces.end(),
+                                   [&](PieceId id) { return document.find(id)->frozen; });
+      return in.perform(FreezePieces{chosen(), !all});
     }
     case Command::FlipSeam:
       return in.perform(FlipSeam{SeamRef(in.selection.seam)});

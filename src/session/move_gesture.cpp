@@ -1,5 +1,6 @@
 // Carrying and turning a piece as a rigid thing: by a ray either in the plane that faces who looks, by a tip both at
-// once with all six degrees of freedom. Near another piece corners meet, or else outline meets outline.
+// once with all six degrees of freedom. Of several chosen pieces all go along. Near another piece corners meet, or else
+// outline meets outline.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,6 +26,8 @@ class MoveGesture : public Gesture {
       case PointerSample::Phase::Press: {
         if (!hit.piece) return {.why = say("Take hold of a piece to move it.")};
         held_ = hit.piece;
+        together_ = {held_};
+        if (context.chosen && context.chosen->contains(held_)) together_ = *context.chosen;
         onTable_ = sample.where == PointerSample::Where::Table;
         turning_ = sample.control && !sample.tip;
         from_ = hit.on == Hit::On::Cloth ? hit.point : spaceOf(*context.snapshot, held_, hit.paper).value_or(hit.point);
@@ -48,8 +51,8 @@ class MoveGesture : public Gesture {
     }
     if (!held_) return {};
     if (onTable_) {
-      aside_ = {held_, sample.place - fromTable_};
-      laid_ += aside_->second;
+      aside_ = {together_, sample.place - fromTable_};
+      laid_ += aside_->by;
       fromTable_ = sample.place;
       if (sample.phase == PointerSample::Phase::Release) return finished({});
       return {};
@@ -74,7 +77,9 @@ class MoveGesture : public Gesture {
     rigid_.carry += by_;
     if (sample.phase != PointerSample::Phase::Release) return {};
     MovePiece move;
-    move.pieces = {PieceRef(held_)};
+    move.pieces = {PieceRef(held_)};  // first, for they turn about its middle
+    for (const PieceId id : together_)
+      if (id != held_) move.pieces.push_back(PieceRef(id));
     if (turn_ != 0) move.turn = Turn{axis_, {turn_}};
     if (length(by_) >= 5e-4) move.by = by_;
     if (!move.turn && length(move.by) == 0) return finished({});
@@ -89,7 +94,7 @@ class MoveGesture : public Gesture {
       return shown;
     }
     if (onTable_) return shown;
-    shown.carried[held_] = rigid_;
+    for (const PieceId id : together_) shown.carried[id] = rigid_;
     if (snapped_) shown.space.dots.push_back(*snapped_);
     if (!turning_ && length(by_) > 0) {
       shown.space.lines.push_back({{start_, start_ + by_}, kChalk, 2, true});
@@ -108,14 +113,14 @@ class MoveGesture : public Gesture {
   bool begun() const override { return static_cast<bool>(held_); }
   void addTo(Handling& handling) const override {
     if (!held_ || onTable_) return;
-    handling.carried = {held_};
+    handling.carried = together_;
     if (snapped_) handling.snap = onCorner_ ? 2 : 1;
   }
   KeyStops keyStops() const override { return held_ ? KeyStops::Corners : KeyStops::Pieces; }
-  std::optional<std::pair<PieceId, Flat>> laidAside() override { return std::exchange(aside_, std::nullopt); }
-  std::optional<std::pair<PieceId, Flat>> putBack() override {
+  std::optional<Aside> laidAside() override { return std::exchange(aside_, std::nullopt); }
+  std::optional<Aside> putBack() override {
     if (!held_ || !onTable_) return std::nullopt;
-    return std::pair(held_, Flat{} - laid_);
+    return Aside{together_, Flat{} - laid_};
   }
 
  private:
@@ -154,7 +159,7 @@ class MoveGesture : public Gesture {
     return balls;
   }
 
-  // Corners of the piece in hand, corners and outlines of the others.
+  // Corners of the pieces in hand, corners and outlines of the others.
   void collect(const GestureContext& context) {
     mine_.clear();
     theirs_.clear();
@@ -162,14 +167,15 @@ class MoveGesture : public Gesture {
     theirOutline_.clear();
     for (const auto& [id, piece] : context.snapshot->document.pattern.pieces) {
       const Stand stand(*piece);
+      const bool mine = together_.contains(id);
       for (const Edge& edge : piece->outline.edges) {
         const Vec3 corner = stand(edge.curve.start);
-        id == held_ ? mine_.push_back(corner) : theirs_.push_back({corner, corner});
+        mine ? mine_.push_back(corner) : theirs_.push_back({corner, corner});
         const int steps = std::max(1, static_cast<int>(edge.curve.length() / kAlong));
         Vec3 before = corner;
         for (const Flat p : edge.curve.evenly(0, 1, steps)) {
           const Vec3 next = stand(p);
-          id == held_ ? myOutline_.push_back(next) : theirOutline_.push_back({before, next});
+          mine ? myOutline_.push_back(next) : theirOutline_.push_back({before, next});
           before = next;
         }
       }
@@ -210,6 +216,7 @@ class MoveGesture : public Gesture {
   }
 
   PieceId held_, over_;
+  std::set<PieceId> together_;  // with what else is chosen
   bool onTable_ = false, turning_ = false;
   Vec3 from_, start_, facing_, middle_, by_;
   Flat fromTable_;
@@ -222,7 +229,7 @@ class MoveGesture : public Gesture {
   std::vector<Vec3> mine_, myOutline_;  // corners; places all along
   std::vector<std::pair<Vec3, Vec3>> theirs_, theirOutline_;
   std::vector<Ball> theirBalls_, outlineBalls_;
-  std::optional<std::pair<PieceId, Flat>> aside_;
+  std::optional<Aside> aside_;
   Flat laid_;  // on the table, since it was taken hold of
 };
 

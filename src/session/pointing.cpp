@@ -74,6 +74,11 @@ void Session::Impl::choose(Selection chosen) {
   if (options.wake) options.wake();
 }
 
+void Session::Impl::carryOnTable(const std::optional<Gesture::Aside>& aside) {
+  if (!aside) return;
+  for (const PieceId id : aside->pieces) table.carry(id, aside->by);
+}
+
 void Session::Impl::point(const PointerSample& sample) {
   if (turnsCrossed())
     if (const auto seam = crossedAt(crossed(), table, sample)) {
@@ -94,11 +99,14 @@ void Session::Impl::point(const PointerSample& sample) {
     }
     choose(*std::move(chosen));
   }
-  if (const auto aside = gesture->laidAside()) table.carry(aside->first, aside->second);
+  carryOnTable(gesture->laidAside());
   if (sample.phase == Phase::Press && gesture->begun() && hit.piece && tool != Command::Draw) {
     Selection taken;
     taken.pieces = {hit.piece};
     taken.edge = hit.edge;
+    // What is carried with others stays chosen with them.
+    if (tool == Command::Move && selection.pieces.size() > 1 && selection.pieces.contains(hit.piece))
+      taken = {selection.pieces, {}, {}};
     choose(std::move(taken));
   }
   takeResult(std::move(answer), begun);

@@ -106,7 +106,7 @@ void Session::chooseNumber(double typed) {
 
 void Session::Impl::dropGesture() {
   keyboard.letGo();
-  if (const auto back = gesture->putBack()) table.carry(back->first, back->second);
+  carryOnTable(gesture->putBack());
   tasks.cancel(TaskQueue::Kind::Preview);
   tasks.cancel(TaskQueue::Kind::SettlePreview);
   previews.clear();  // what was dropped unanswered must not keep the next gesture from asking

@@ -69,7 +69,9 @@ struct Session::Impl {
   TaskQueue tasks;  // last: it stops before anything it uses goes
 
   explicit Impl(SessionOptions options);
-  GestureContext context() const { return {seen(), &table, language, inches, toolOptions, linesShown}; }
+  GestureContext context() const {
+    return {seen(), &table, language, inches, toolOptions, linesShown, &selection.pieces};
+  }
 
   // The garment with what of it is drawn.
   SnapshotPtr seen() const;
@@ -133,6 +135,7 @@ struct Session::Impl {
 
   // pointing.cpp
   void point(const PointerSample& sample);
+  void carryOnTable(const std::optional<Gesture::Aside>& aside);
   bool overMenu(const PointerSample& sample);  // then it is not for the gesture
 
   // touching.cpp

@@ -144,5 +144,101 @@ TEST_F(Choosing, ThePieceThatADuplicateMadeIsChosen) {
   EXPECT_EQ(session.snapshot().document.find(*session.selection().pieces.begin())->name, "front_2");
 }
 
+// All that are chosen are meant, in one step.
+TEST_F(Choosing, WhatIsDoneToSeveralPiecesIsDoneToAllOfThem) {
+  session.perform(op("freeze piece=front"));
+  session.finish();
+  session.command(Command::SelectAll);
+  const auto frozen = [&] {
+    return std::pair(session.snapshot().document.find(front)->frozen, session.snapshot().document.find(back)->frozen);
+  };
+  session.command(Command::Freeze);
+  session.finish();
+  EXPECT_EQ(frozen(), std::pair(true, true)) << "as long as one is not";
+  session.command(Command::Freeze);
+  session.finish();
+  EXPECT_EQ(frozen(), std::pair(false, false));
+  const std::size_t steps = session.steps().size();
+  session.command(Command::Duplicate);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), steps + 1);
+  const Document& document = session.snapshot().document;
+  ASSERT_TRUE(document.pieceNamed("front_2"));
+  ASSERT_TRUE(document.pieceNamed("back_2"));
+  EXPECT_EQ(session.selection().pieces,
+            (std::set<PieceId>{document.pieceNamed("front_2")->id, document.pieceNamed("back_2")->id}));
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_EQ(session.snapshot().document.pattern.pieces.size(), 2u);
+}
+
+// Those that are whole or have both sides stay as they are.
+TEST_F(Choosing, MirrorMakesTheOtherSideOfThoseThatHaveNone) {
+  for (const char* step :
+       {"rectangle name=cuff_left width=20cm height=6cm", "move piece=cuff_left by=40cm,0,0",
+        "rectangle name=sleeve_left width=20cm height=50cm", "move piece=sleeve_left by=40cm,10cm,0",
+        "sew a=cuff_left.top b=sleeve_left.bottom name=wrist_left",
+        "piece name=whole outline=\"M -200 0; low L 200 0; right L 200 400; top L -200 400; left L -200 0\"",
+        "remove piece=\"front back\""})
+    session.perform(op(step));
+  session.finish();
+  session.takeNotices();
+  const std::size_t steps = session.steps().size();
+  session.command(Command::SelectAll);
+  session.command(Command::Mirror);
+  session.finish();
+  const Document& document = session.snapshot().document;
+  EXPECT_EQ(session.steps().size(), steps + 1);
+  EXPECT_EQ(document.pattern.pieces.size(), 5u);
+  ASSERT_TRUE(document.pieceNamed("cuff_right"));
+  ASSERT_TRUE(document.pieceNamed("sleeve_right"));
+  ASSERT_EQ(document.pattern.seams.size(), 2u);
+  EXPECT_EQ(document.pattern.seams.rbegin()->second.name, "wrist_right");
+  const auto told = session.takeNotices();
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_THAT(text(told.front().what), testing::HasSubstr("1 piece of the chosen is on both sides"));
+  session.command(Command::SelectAll);
+  session.command(Command::Mirror);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), steps + 1) << "now all have";
+  EXPECT_EQ(session.takeNotices().back().kind, Notice::Kind::Refused);
+}
+
+// By the hand, too: in space one step, on the table none.
+TEST_F(Choosing, SeveralPiecesAreCarriedTogether) {
+  session.command(Command::SelectAll);
+  session.command(Command::Move);
+  const auto place = [&](PieceId id) { return Stand(*session.snapshot().document.find(id))({0, 0}); };
+  const auto carry = [&](PointerSample hand, const auto& go) {
+    for (const auto phase : {PointerSample::Phase::Press, PointerSample::Phase::Drag, PointerSample::Phase::Release}) {
+      hand.phase = phase;
+      if (phase != PointerSample::Phase::Press) go(hand);
+      session.feed(hand);
+    }
+    session.finish();
+  };
+  const std::size_t steps = session.steps().size();
+  const Flat frontLay = session.table().at(front), backLay = session.table().at(back);
+  PointerSample hand;
+  hand.where = PointerSample::Where::Table, hand.reach = 0.005, hand.place = inside(front) + frontLay;
+  carry(hand, [&](PointerSample& sample) { sample.place = inside(front) + frontLay + Flat{0.3, 0.1}; });
+  EXPECT_EQ(session.steps().size(), steps);
+  for (const auto& [id, lay] : {std::pair(front, frontLay), std::pair(back, backLay)})
+    EXPECT_LT(distance(session.table().at(id), lay + Flat{0.3, 0.1}), 1e-9);
+  const Vec3 frontStood = place(front), backStood = place(back);
+  const Vec3 hold = Stand(*session.snapshot().document.find(front))(inside(front));
+  hand = {};
+  hand.where = PointerSample::Where::Space, hand.facing = {0, 0, 1}, hand.alt = true;
+  hand.ray = {hold + Vec3{0, 0, 1}, {0, 0, -1}};
+  carry(hand, [&](PointerSample& sample) { sample.ray = {hold + Vec3{0.25, 0.1, 1}, {0, 0, -1}}; });
+  EXPECT_EQ(session.steps().size(), steps + 1);
+  EXPECT_EQ(session.selection().pieces.size(), 2u);
+  EXPECT_LT(distance(place(front), frontStood + Vec3{0.25, 0.1, 0}), 1e-3);
+  EXPECT_LT(distance(place(back), backStood + Vec3{0.25, 0.1, 0}), 1e-3);
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_LT(distance(place(back), backStood), 1e-9);
+}
+
 }  // namespace
 }  // namespace karinui

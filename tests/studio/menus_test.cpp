@@ -111,6 +111,32 @@ TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
 }
 
 // A roll line runs out along the front edge: what lies right under the pointer is meant, not what is near it.
+// Of several that are chosen it is about all; what only one can have done to it says so.
+TEST(StudioMenus, TheRightButtonIsAboutAllThatAreChosen) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().perform(*parseOperation("interface piece=back"));
+  w.rest();
+  w.key(Command::SelectAll);
+  w.rest();
+  rightClick(w, w.table(), w.onTable("front", {0, 0.3}));
+  EXPECT_THAT(offered(), Contains("Remove the 2 pieces"));
+  EXPECT_THAT(offered(), Contains("Line them"));
+  EXPECT_THAT(offered(), Contains("Freeze"));
+  chooseEntry(w, "Fuse interfacing");
+  EXPECT_FALSE(w.session().snapshot().document.pieceNamed("front")->interfacing.empty());
+  EXPECT_EQ(w.session().selection().pieces.size(), 2u);
+  rightClick(w, w.table(), w.onTable("front", {0, 0.3}));
+  EXPECT_THAT(offered(), Contains("Take the interfacing off"));
+  chooseEntry(w, "Freeze");
+  EXPECT_TRUE(w.session().snapshot().document.pieceNamed("front")->frozen);
+  EXPECT_TRUE(w.session().snapshot().document.pieceNamed("back")->frozen);
+  rightClick(w, w.space(), w.onSkin("left_leg:knee@0"));
+  EXPECT_THAT(offered(), Contains("Only one piece is wrapped round here: choose it alone"));
+  EXPECT_EQ(w.session().selection().pieces.size(), 2u);
+}
+
 TEST(StudioMenus, ALineBesideAnEdgeIsMet) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

@@ -29,7 +29,8 @@ struct GestureContext {
   Language language = Language::English;
   bool inches = false;
   ToolOptions options = {};
-  bool linesShown = false;  // the lines of the body
+  bool linesShown = false;                    // the lines of the body
+  const std::set<PieceId>* chosen = nullptr;  // pieces
   std::string said(double metres) const { return lengthSaid(metres, inches); }
 };
 
@@ -126,8 +127,12 @@ class Gesture {
   virtual void addTo(Handling&) const {}
   // Select and Move on the table, which change the view only.
   virtual std::optional<Selection> chosen() { return std::nullopt; }
-  virtual std::optional<std::pair<PieceId, Flat>> laidAside() { return std::nullopt; }
-  virtual std::optional<std::pair<PieceId, Flat>> putBack() { return std::nullopt; }  // what the hand drops
+  struct Aside {
+    std::set<PieceId> pieces;
+    Flat by;
+  };
+  virtual std::optional<Aside> laidAside() { return std::nullopt; }
+  virtual std::optional<Aside> putBack() { return std::nullopt; }  // what the hand drops
 };
 std::unique_ptr<Gesture> gestureFor(Command tool);
 

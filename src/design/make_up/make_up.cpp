@@ -27,7 +27,7 @@ Result<MakingUp> makeUp(const Document& document, Context& context, const MakeUp
   PieceReadings readings = readPieces(now.pattern, choices.roles);
   ToldRoles told = choices.roles;
   for (Operation& copy : copiesFor(now, readings)) {
-    const PieceId of = std::get<MirrorPiece>(copy).piece.id;
+    const PieceId of = std::get<MirrorPiece>(copy).pieces.front().id;
     if (Done done = step(std::move(copy)); !done) return done.error();
     const PieceId other = now.pattern.pieces.rbegin()->first;
     if (const auto role = choices.roles.find(of); role != choices.roles.end()) told[other] = role->second;

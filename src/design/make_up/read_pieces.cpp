@@ -432,7 +432,7 @@ std::vector<Operation> copiesFor(const Document& document, const PieceReadings& 
                                         }) > 1;
     if (there || twin) continue;
     MirrorPiece copy;
-    copy.piece = PieceRef(id);
+    copy.pieces = {PieceRef(id)};
     const std::string side = !reading.paired ? "mirrored" : reading.side == PieceReading::Side::Left ? "right" : "left";
     if (otherSide(piece->name) == piece->name) copy.name = usableName(document, piece->name + "_" + side);
     out.push_back(copy);

@@ -19,7 +19,7 @@ bool holds(const std::vector<EdgeSpan>& side, PieceId piece) {
 // The same side on the copies; nothing where one is missing or went its own way since. A mirror image's edges run the
 // other way, its inner lines do not.
 std::optional<std::vector<EdgeSpan>> copied(const Document& document, std::vector<EdgeSpan> side,
-                                            const std::map<PieceId, PieceId>& copies, bool mirror, bool lines) {
+                                            const CopiesOf& copies, bool mirror, bool lines) {
   for (EdgeSpan& span : side) {
     const auto at = copies.find(span.piece);
     if (at == copies.end()) return std::nullopt;
@@ -38,8 +38,7 @@ std::optional<std::vector<EdgeSpan>> copied(const Document& document, std::vecto
   return side;
 }
 
-std::optional<Fastening> copied(const Document& document, const Fastening& own,
-                                const std::map<PieceId, PieceId>& copies, bool mirror) {
+std::optional<Fastening> copied(const Document& document, const Fastening& own, const CopiesOf& copies, bool mirror) {
   bool edges = false, lines = false;
   for (const auto* side : {&own.a, &own.b})
     for (const EdgeSpan& span : *side) (document.find(span.piece)->outline.find(span.edge) ? edges : lines) = true;
@@ -71,7 +70,7 @@ bool sameSide(const std::vector<EdgeSpan>& one, const std::vector<EdgeSpan>& oth
 }  // namespace
 
 std::optional<Fastening> fasteningOnCopies(const Document& document, const Fastening& own) {
-  std::map<PieceId, PieceId> copies;
+  CopiesOf copies;
   for (const auto* side : {&own.a, &own.b})
     for (const EdgeSpan& span : *side)
       if (const auto all = likenesses(document, span.piece); !all.empty()) copies[span.piece] = all.front();
@@ -89,12 +88,15 @@ bool sameFastening(const Fastening& one, const Fastening& other) {
          std::equal(one.at.begin(), one.at.end(), other.at.begin(), other.at.end(), closeTo);
 }
 
-Document withCopiedFastenings(Document document, PieceId piece, const std::map<PieceId, PieceId>& copies, bool mirror,
-                              const Context& context) {
+Document withCopiedFastenings(Document document, const std::vector<PieceRef>& pieces, const CopiesOf& copies,
+                              bool mirror, const Context& context) {
   const Fastenings all = document.allowances.fastenings;
   Fastenings& now = document.allowances.fastenings;
   for (const auto& [name, own] : all) {
-    if (!holds(own.a, piece) && !holds(own.b, piece)) continue;
+    const auto piece = std::find_if(pieces.begin(), pieces.end(), [&, &own = own](const PieceRef& one) {
+      return holds(own.a, one.id) || holds(own.b, one.id);
+    });
+    if (piece == pieces.end()) continue;
     const auto copy = copied(document, own, copies, mirror);
     const bool meets = copy && std::any_of(copies.begin(), copies.end(), [&, &own = own](const auto& pair) {
                          return (holds(copy->a, pair.first) || holds(copy->b, pair.first)) &&
@@ -103,7 +105,7 @@ Document withCopiedFastenings(Document document, PieceId piece, const std::map<P
     if (!copy || meets) {
       if (context.advise)
         context.advise({say("“{0}” stays with “{1}” alone: the copy has nothing it could be fastened to.", name,
-                            document.find(piece)->name)});
+                            document.find(piece->id)->name)});
       continue;
     }
     std::string free = name;
@@ -113,34 +115,46 @@ Document withCopiedFastenings(Document document, PieceId piece, const std::map<P
   return document;
 }
 
-std::vector<const Seam*> ownSeams(const Document& document, PieceId piece) {
+namespace {
+
+bool within(const Seam& seam, const std::vector<PieceRef>& pieces) {
+  const auto mine = [&](const EdgeSpan& span) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const PieceRef& one) { return one.id == span.piece; });
+  };
+  return std::all_of(seam.a.begin(), seam.a.end(), mine) && std::all_of(seam.b.begin(), seam.b.end(), mine);
+}
+
+}  // namespace
+
+std::vector<const Seam*> seamsWithin(const Document& document, const std::vector<PieceRef>& pieces) {
   std::vector<const Seam*> own;
-  const auto within = [&](const EdgeSpan& span) { return span.piece == piece; };
   for (const auto& [id, seam] : document.pattern.seams)
-    if (std::all_of(seam.a.begin(), seam.a.end(), within) && std::all_of(seam.b.begin(), seam.b.end(), within))
-      own.push_back(&seam);
+    if (within(seam, pieces)) own.push_back(&seam);
   return own;
 }
 
-void decideSeamsWithin(const Document& document, PieceId piece, Choice& seams, const Context& context) {
-  if (seams == Choice::Auto && !context.recorded && !ownSeams(document, piece).empty()) seams = Choice::Yes;
+void decideSeamsWithin(const Document& document, const std::vector<PieceRef>& pieces, Choice& seams,
+                       const Context& context) {
+  if (seams == Choice::Auto && !context.recorded && !seamsWithin(document, pieces).empty()) seams = Choice::Yes;
 }
 
-Document withCopiedSeams(Document document, PieceId piece, PieceId copy, bool mirror) {
+Document withCopiedSeams(Document document, const std::vector<PieceRef>& pieces, const CopiesOf& copies, bool mirror) {
   const Document before = document;
   std::uint32_t made = 0;
-  for (const Seam* own : ownSeams(before, piece)) {
-    const Piece& from = *before.find(piece);
-    const bool aLine = !findEdge(from, own->a.front().edge), bLine = !findEdge(from, own->b.front().edge);
-    const auto a = copied(document, own->a, {{piece, copy}}, mirror, aLine),
-               b = copied(document, own->b, {{piece, copy}}, mirror, bLine);
+  for (const Seam* own : seamsWithin(before, pieces)) {
+    const auto lined = [&](const std::vector<EdgeSpan>& side) {
+      return !findEdge(*before.find(side.front().piece), side.front().edge);
+    };
+    const bool aLine = lined(own->a), bLine = lined(own->b);
+    const auto a = copied(document, own->a, copies, mirror, aLine), b = copied(document, own->b, copies, mirror, bLine);
     if (!a || !b) continue;
     Seam seam = *own;
     seam.id = mint<SeamId>(before, made++);
     seam.a = *a, seam.b = *b;
     if (mirror && aLine != bLine) seam.reversed = !own->reversed;
     // As the outline runs round the copy, the side of a dart that came second comes first.
-    if (mirror && own->tie != Seam::Tie::Pleat) std::swap(seam.a, seam.b);
+    const bool onePiece = within(*own, {PieceRef(own->a.front().piece)});
+    if (mirror && onePiece && own->tie != Seam::Tie::Pleat) std::swap(seam.a, seam.b);
     const std::string name = mirror ? otherSide(own->name) : own->name;
     const auto taken = [&](const auto& one) { return one.second.name == seam.name; };
     seam.name = name;
@@ -248,21 +262,27 @@ std::optional<Seam> onLines(Document& document, const Seam& own, PieceId piece, 
 
 }  // namespace
 
-MirroredSeams withMirroredSeams(Document document, PieceId piece, PieceId copy, std::size_t made) {
+MirroredSeams withMirroredSeams(Document document, const std::vector<PieceRef>& pieces, const CopiesOf& copies,
+                                std::size_t made) {
   const Document before = document;
   MirroredSeams all{std::move(document), 0, {}};
-  const auto others = [&](const std::vector<EdgeSpan>& side) {
-    return std::any_of(side.begin(), side.end(), [&](const EdgeSpan& span) { return span.piece != piece; });
-  };
   const auto lined = [&](const std::vector<EdgeSpan>& side) {
     return std::any_of(side.begin(), side.end(),
                        [&](const EdgeSpan& span) { return !findEdge(*before.find(span.piece), span.edge); });
   };
   for (const auto& [id, own] : before.pattern.seams) {
-    if ((!holds(own.a, piece) && !holds(own.b, piece)) || (!others(own.a) && !others(own.b))) continue;
-    auto seam = lined(own.a) || lined(own.b) ? onLines(all.document, own, piece, copy) : onEdges(all.document, own);
+    if (id >= mint<SeamId>(before, 0) || within(own, pieces)) continue;  // one made just now, or by withCopiedSeams
+    PieceId on;
+    std::optional<Seam> seam;
+    for (const PieceRef& piece : pieces) {
+      if (seam || (!holds(own.a, piece.id) && !holds(own.b, piece.id))) continue;
+      if (!on) on = piece.id;
+      seam = lined(own.a) || lined(own.b) ? onLines(all.document, own, piece.id, copies.at(piece.id))
+                                          : onEdges(all.document, own);
+    }
+    if (!on) continue;
     if (!seam) {
-      all.left.push_back(id);
+      all.left.emplace_back(id, on);
       continue;
     }
     seam->id = mint<SeamId>(before, static_cast<std::uint32_t>(made + all.sewn++));

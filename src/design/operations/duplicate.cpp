@@ -20,7 +20,7 @@ void nameAsWhole(Piece& part, EdgeMap& edges) {
 
 // The part of the piece on one side of the line, standing where it stands in the whole.
 Result<Piece> partOf(const Document& before, const DuplicatePiece& op, Grading& grading) {
-  const Piece& whole = *before.find(op.piece.id);
+  const Piece& whole = *before.find(op.pieces.front().id);
   // Records of old took a number for the other part that may be the piece's own, and lead where that led.
   const PieceId other = op.named == Choice::Yes ? mint<PieceId>(before, 0) : madeBy<PieceId>(1, 0);
   auto cut = cutPiece(whole, op.line, other, "part", {}, op.corners == Choice::Yes);
@@ -41,21 +41,28 @@ Result<Piece> partOf(const Document& before, const DuplicatePiece& op, Grading& 
 }  // namespace
 
 Done resolve(const Document& before, DuplicatePiece& op, Context& context) {
-  if (Done done = resolve(before, op.piece); !done) return done;
+  if (Done done = resolve(before, op.pieces); !done) return done;
   if (!op.line.empty() && op.corners == Choice::Auto && !context.recorded) op.corners = Choice::Yes;
   if (!op.line.empty() && op.named == Choice::Auto && !context.recorded) op.named = Choice::Yes;
   if (!op.edge.empty())
     if (Done done = checkEdgeName(op.edge); !done) return done;
-  if (op.line.empty()) decideSeamsWithin(before, op.piece.id, op.seams, context);
-  if (op.name.empty()) op.name = usableName(before, before.find(op.piece.id)->name);
+  if (op.line.empty()) decideSeamsWithin(before, op.pieces, op.seams, context);
   if (!(length(op.by) <= 100)) return refused(say("A piece is moved by at most {0} m.", 100));
   if (op.part && op.line.empty())
     return refused(say("Say the line that divides off the part: line=\"u,v; u,v\", from edge to edge."));
+  if (op.pieces.size() > 1) {
+    if (!op.line.empty()) return refused(say("A line divides off a part of one piece; several are named."));
+    return checkNoNameOfSeveral(op.name);
+  }
+  if (op.name.empty()) op.name = usableName(before, before.find(op.pieces.front().id)->name);
   return checkNewName(before, op.name);
 }
 
-Result<Document> perform(const Document& before, const DuplicatePiece& op, Context& context) {
-  Piece copy = *before.find(op.piece.id);
+namespace {
+
+// The copy, with what the piece has beside its outline.
+Result<Document> withCopy(Document document, const Document& before, const DuplicatePiece& op, PieceId of, PieceId id) {
+  Piece copy = *before.find(of);
   Grading grading = before.grading;
   if (!op.line.empty()) {
     auto part = partOf(before, op, grading);
@@ -63,28 +70,46 @@ Result<Document> perform(const Document& before, const DuplicatePiece& op, Conte
     copy = *std::move(part);
   }
   const auto graded = grading.pieces.extract(copy.id);
-  copy.id = mint<PieceId>(before, 0);
-  copy.name = op.name;
+  copy.id = id;
+  copy.name = op.name.empty() ? usableName(document, copy.name) : op.name;
   copy.pose.carry += op.by;
   copy.mirrorOf = PieceId();
-  Document after = before;
-  if (const auto look = before.looks.pieces.find(op.piece.id); look != before.looks.pieces.end())
-    after.looks.pieces[copy.id] = look->second;
-  if (const auto shift = before.looks.shifts.find(op.piece.id); shift != before.looks.shifts.end())
-    after.looks.shifts[copy.id] = shift->second;
-  const PieceId id = copy.id;
-  if (graded) after.grading.pieces[id] = graded.mapped();
-  if (const auto own = before.cutting.find(op.piece.id); own != before.cutting.end()) after.cutting[id] = own->second;
+  if (const auto look = before.looks.pieces.find(of); look != before.looks.pieces.end())
+    document.looks.pieces[id] = look->second;
+  if (const auto shift = before.looks.shifts.find(of); shift != before.looks.shifts.end())
+    document.looks.shifts[id] = shift->second;
+  if (graded) document.grading.pieces[id] = graded.mapped();
+  if (const auto own = before.cutting.find(of); own != before.cutting.end()) document.cutting[id] = own->second;
   const auto give = [&](auto& all) {
     for (const auto& [at, own] : std::decay_t<decltype(all)>(all))
-      if (at.first == op.piece.id) all[{id, at.second}] = own;
+      if (at.first == of) all[{id, at.second}] = own;
   };
-  give(after.allowances.edges), give(after.allowances.corners), Allowances::eachFinish(after.allowances, give);
-  after = withPiece(std::move(after), std::move(copy));
-  updateAllowances(after.allowances, {}, after.pattern);  // a part has not all the edges
+  give(document.allowances.edges), give(document.allowances.corners);
+  Allowances::eachFinish(document.allowances, give);
+  document = withPiece(std::move(document), std::move(copy));
+  updateAllowances(document.allowances, {}, document.pattern);  // a part has not all the edges
+  return document;
+}
+
+}  // namespace
+
+Result<Document> perform(const Document& before, const DuplicatePiece& op, Context& context) {
+  Document after = before;
+  CopiesOf copies;
+  for (const PieceRef& piece : op.pieces) {
+    const PieceId id = mint<PieceId>(before, static_cast<std::uint32_t>(copies.size()));
+    copies[piece.id] = id;
+    auto next = withCopy(std::move(after), before, op, piece.id, id);
+    if (!next) return next.error();
+    after = *std::move(next);
+  }
+  // The symmetric copy of a piece that is copied with it is that of the copy.
+  for (const auto& [of, copy] : copies)
+    if (const auto first = copies.find(before.find(of)->mirrorOf); first != copies.end())
+      after = withLikeness(std::move(after), first->second, copy);
   if (!op.line.empty()) return after;
-  if (op.seams == Choice::Yes) after = withCopiedSeams(std::move(after), op.piece.id, id, false);
-  return withCopiedFastenings(std::move(after), op.piece.id, {{op.piece.id, id}}, false, context);
+  if (op.seams == Choice::Yes) after = withCopiedSeams(std::move(after), op.pieces, copies, false);
+  return withCopiedFastenings(std::move(after), op.pieces, copies, false, context);
 }
 
 }  // namespace karinui

@@ -144,6 +144,8 @@ Done checkFabricName(const Document& document, const std::string& name);
 Done checkEdgeName(const std::string& name);
 // The name a new piece gets: as asked, if it is good and free.
 Done checkNewName(const Document& document, const std::string& name);
+// Of several pieces that are made at once each is called after its own.
+Done checkNoNameOfSeveral(const std::string& name);
 // The document after a drape: new forms, poses at rest, the report kept, the pieces no longer dirty.
 Document adopted(Document document, const DrapeOutcome& outcome);
 

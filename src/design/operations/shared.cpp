@@ -279,6 +279,11 @@ Done checkNewName(const Document& document, const std::string& name) {
   return {};
 }
 
+Done checkNoNameOfSeveral(const std::string& name) {
+  if (name.empty()) return {};
+  return refused(say("A name is for one piece; of several each copy is called after its own. Leave name= away."));
+}
+
 Document adopted(Document document, const DrapeOutcome& outcome) {
   for (const auto& [id, form] : outcome.forms) {
     const Piece* old = document.find(id);

@@ -54,8 +54,8 @@ Result<Document> perform(const Document& before, const ChangeSettings& op, Conte
 
 Done resolve(const Document& before, SetGrain& op, Context& context) {
   if (!finite(op.to) || !(length(op.to) > 1e-9)) return refused(say("The grain needs a direction, like to=0,1."));
-  if (Done done = resolve(before, op.piece); !done) return done;
-  return resolveCopies(before, {op.piece}, op.copies, context);
+  if (Done done = resolve(before, op.pieces); !done) return done;
+  return resolveCopies(before, op.pieces, op.copies, context);
 }
 
 Result<Document> perform(const Document& before, const SetGrain& op, Context&) {
@@ -65,8 +65,13 @@ Result<Document> perform(const Document& before, const SetGrain& op, Context&) {
     piece.grain = normalized(to);
     after = withPiece(std::move(after), std::move(piece));
   };
-  turn(op.piece.id, op.to);
-  for (const PieceId copy : copiesMeant(before, op.piece.id, op.copies)) turn(copy, {-op.to.u, op.to.v});
+  std::set<PieceId> turned;  // with the piece it is the copy of, which was named before it
+  for (const PieceRef& piece : op.pieces) {
+    if (!turned.insert(piece.id).second) continue;
+    turn(piece.id, op.to);
+    for (const PieceId copy : copiesMeant(before, piece.id, op.copies))
+      if (turned.insert(copy).second) turn(copy, {-op.to.u, op.to.v});
+  }
   return after;
 }
 

@@ -133,8 +133,8 @@ struct DraftBlock {
 
 struct DuplicatePiece {
   static constexpr std::string_view kName = "duplicate";
-  static constexpr std::string_view kHelp = "Makes a second piece like the first, or like a part of it.";
-  PieceRef piece;
+  static constexpr std::string_view kHelp = "Makes second pieces like the first, or one like a part of it.";
+  std::vector<PieceRef> pieces;
   std::string name;
   Vec3 by;
   std::vector<Flat> line;
@@ -145,9 +145,9 @@ struct DuplicatePiece {
   Choice named = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("piece", self.piece, "the piece to copy", kNeeded);
-    visit("name", self.name, "the copy's name", kOptional);
-    visit("by", self.by, "how far from the first it stands (x,y,z)", kOptional);
+    visit("piece", self.pieces, "the pieces to copy", kNeeded);
+    visit("name", self.name, "the copy's name, of one piece", kOptional);
+    visit("by", self.by, "how far from the first the copy stands (x,y,z)", kOptional);
     visit("line", self.line, "a line on the paper, from edge to edge, that divides off the part to copy", kOptional);
     visit("part", self.part, "a place on the paper in the part to copy (otherwise the smaller part)", kOptional);
     visit("seams", self.seams, kSeamsWithinHelp, kOptional);
@@ -163,20 +163,20 @@ struct DuplicatePiece {
 
 struct MirrorPiece {
   static constexpr std::string_view kName = "mirror";
-  static constexpr std::string_view kHelp = "Makes the symmetric copy of a piece on the body's other side.";
-  PieceRef piece;
+  static constexpr std::string_view kHelp = "Makes the symmetric copies of pieces on the body's other side.";
+  std::vector<PieceRef> pieces;
   std::string name;
   Choice seams = Choice::Auto;
   bool sewn = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("piece", self.piece, "the piece to mirror", kNeeded);
-    visit("name", self.name, "the copy's name (otherwise left and right change places in it)", kOptional);
+    visit("piece", self.pieces, "the pieces to mirror", kNeeded);
+    visit("name", self.name, "the copy's name, of one piece (otherwise left and right change places in it)", kOptional);
     visit("seams", self.seams, kSeamsWithinHelp, kOptional);
     visit(
         "sewn", self.sewn,
-        "yes: also sewn as the piece is to others, to their symmetric copies or other halves; lines it is sewn to are "
-        "drawn there",
+        "yes: also sewn as the pieces are to others, to their symmetric copies or other halves; lines they are sewn to "
+        "are drawn there",
         kOptional);
   }
   bool operator==(const MirrorPiece&) const = default;

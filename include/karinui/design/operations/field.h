@@ -37,7 +37,8 @@ inline constexpr std::string_view kOverHelp =
     "where on the body it goes over (otherwise a shoulder, the nape, or straight across, by where its ends are)";
 
 inline constexpr std::string_view kSeamsWithinHelp =
-    "the seams within the piece too, as those of its darts: auto, yes, no (auto: yes, but no in a record that does not "
+    "the seams within the pieces too, as those of their darts: auto, yes, no (auto: yes, but no in a record that does "
+    "not "
     "have it)";
 inline constexpr std::string_view kCornersHelp =
     "an end of the line within 3 mm of a corner goes to the corner: auto, yes, no (auto: yes, but no in a record that "

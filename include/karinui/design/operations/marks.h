@@ -13,14 +13,14 @@ namespace karinui {
 
 struct SetGrain {
   static constexpr std::string_view kName = "grain";
-  static constexpr std::string_view kHelp = "Turns the grain line of a piece.";
+  static constexpr std::string_view kHelp = "Turns the grain line of pieces.";
   static constexpr bool kDisturbsDrape = true;
-  PieceRef piece;
+  std::vector<PieceRef> pieces;
   Flat to{0, 1};
   Choice copies = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("piece", self.piece, "the piece", kNeeded);
+    visit("piece", self.pieces, "the pieces", kNeeded);
     visit("to", self.to, "the warp's direction on paper (u,v)", kNeeded);
     visit("copies", self.copies, kCopiesHelp, kOptional);
   }
