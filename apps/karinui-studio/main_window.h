@@ -124,6 +124,7 @@ class MainWindow : public QMainWindow {
   void addNewPieces(QMenu& pieces, QMenu& details);
   void addPieceOperations(QMenu& menu, const Selection& chosen);
   // In the folder of documents; of a file that is not there yet.
+  QString called(const Message& what) const;
   QString proposed(const Message& what, const FileFormat& format) const;
   QString freshPath(const QString& name, const FileFormat& format = fileFormat("document")) const;
 

@@ -52,10 +52,12 @@ void MainWindow::askSaveAs() {
 }
 
 // After the garment, where it has a name of its own.
-QString MainWindow::proposed(const Message& what, const FileFormat& format) const {
+QString MainWindow::called(const Message& what) const {
   const bool named = !session_->path().empty() && !session_->draft();
-  if (!named) return freshPath(inWords(what), format);
-  return freshPath(QString::fromStdString(session_->path().stem().string()) + " – " + inWords(what), format);
+  return named ? QString::fromStdString(session_->path().stem().string()) + " – " + inWords(what) : inWords(what);
+}
+QString MainWindow::proposed(const Message& what, const FileFormat& format) const {
+  return freshPath(called(what), format);
 }
 
 void MainWindow::askExport() {
@@ -100,6 +102,7 @@ void MainWindow::picture() {
 
 void MainWindow::print() {
   QPrinter printer(QPrinter::HighResolution);
+  printer.setDocName(called(say("pattern")));  // in the printer's list, and of a file it is printed into
   QPrintDialog dialog(&printer, this);
   if (dialog.exec() == QDialog::Accepted) printOn(printer);
 }

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QPrintDialog>
 #include <QPrinter>
 #include <QSlider>
 #include <QTest>
@@ -349,6 +350,11 @@ TEST(StudioSaveActions, WhatIsWrittenIsCalledAfterTheGarment) {
         hand.stop();
         return files->reject();
       }
+      if (auto* print = qobject_cast<QPrintDialog*>(modal)) {
+        if (auto* file = print->findChild<QLineEdit*>("filename")) name = QFileInfo(file->text()).fileName();
+        hand.stop();
+        return print->reject();
+      }
       modal->accept();
     });
     hand.start(0);
@@ -360,6 +366,7 @@ TEST(StudioSaveActions, WhatIsWrittenIsCalledAfterTheGarment) {
   EXPECT_EQ(offered(say("Picture of the fitting…")), garment + " – fitting.png");
   EXPECT_THAT(offered(say("Export…")).toStdString(), testing::StartsWith((garment + " – pattern.").toStdString()));
   EXPECT_EQ(offered(say("Share the pattern…")), garment + " – pattern to share.karinui");
+  EXPECT_EQ(offered(say("Print the pattern…")), garment + " – pattern.pdf");
 }
 
 TEST(StudioSaveActions, TakesAPictureFromEverySide) {
