@@ -73,7 +73,8 @@ TEST(StudioBeside, AnotherFabricIsDrapedBesideAndFollowsWhatIsDone) {
                                .line = {{0.03, -0.05}, {0.03, 0.15}},
                                .name = "",
                                .keeps = {},
-                               .edge = {}});
+                               .edge = {},
+                               .twins = {}});
   await(w);
   EXPECT_NE(beside.fitting(), before);
   EXPECT_EQ(hash(beside.fitting()->document).size(), hash(before->document).size());

@@ -105,7 +105,8 @@ TEST(StudioFit, TwoStatesStandSideBySide) {
                                .line = {{0.03, -0.05}, {0.03, 0.15}},
                                .name = "",
                                .keeps = {},
-                               .edge = {}});
+                               .edge = {},
+                               .twins = {}});
   w.rest();
   QComboBox* beside = nullptr;
   for (QComboBox* one : w.main().findChildren<QComboBox*>())

@@ -326,6 +326,7 @@ TermTable fieldTerms() {
       {"turn.look", say("Angle to the grain")},
       {"turn.pose", say("About the bone")},
       {"turn.underlay", say("Turned by")},
+      {"twins", say("Halves are symmetric copies")},
       {"under", say("Turned in once more")},
       {"upright", say("Line that is turned upright")},
       {"value", say("Value or formula")},

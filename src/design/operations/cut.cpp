@@ -136,7 +136,8 @@ Done dividesStill(const CutPiece& op, const CutAcross& across, const Piece& whol
 
 // Which sides of the line keep the piece. It is recorded, for on another figure the other part may be the larger, and
 // what was done to the one would be done to the other. Of halves alike it is the left one.
-Result<std::vector<std::string>> sidesKept(const Document& before, const CutPiece& op) {
+// `twins`: whether the parts are each other's mirror image.
+Result<std::vector<std::string>> sidesKept(const Document& before, const CutPiece& op, bool& twins) {
   const Piece& whole = *before.find(op.piece.id);
   const auto newPart = [&](std::size_t k) {
     return NewPart{mint<PieceId>(before, static_cast<std::uint32_t>(k)), "part"};
@@ -148,6 +149,11 @@ Result<std::vector<std::string>> sidesKept(const Document& before, const CutPiec
   std::vector<std::string> sides;
   for (const bool left : across->keptLeft) sides.push_back(left ? "left" : "right");
   const auto& parts = across->cut.pieces;
+  if (parts.size() == 2) {
+    Piece other = parts[1];
+    EdgeMap edges;
+    twins = nameLikeImage(other, edges, parts[0]);
+  }
   if (op.keeps.empty() && parts.size() == 2 &&
       std::abs(parts[0].outline.area() - parts[1].outline.area()) < kAlike * parts[0].outline.area())
     sides = {"left"};
@@ -181,6 +187,8 @@ Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<
   if (!op.edge.empty())
     for (Piece& part : cut.pieces) nameCutEdges(part, whole, cut.edges, op.edge);
   arrangeLike(cut, likewise);
+  const bool twins =
+      op.twins == Choice::Yes && cut.pieces.size() == 2 && nameLikeImage(cut.pieces[1], cut.edges, cut.pieces[0]);
   Document after = before;
   updateSeams(after.pattern, cut.edges);
   if (cut.pieces.size() > 1) sharePins(after, cut.pieces);
@@ -195,6 +203,13 @@ Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<
       after.looks.shifts[piece.id] = shift->second;
     piece.mirrorOf = PieceId();  // no longer the other's likeness
     after = withPiece(std::move(after), std::move(piece));
+  }
+  if (twins) {
+    after = withLikeness(std::move(after), ids[0], ids[1]);
+    if (context.advise)
+      context.advise({say("“{0}” and “{1}” are symmetric copies now: what is done to one is done to the other.",
+                          after.find(ids[0])->name, after.find(ids[1])->name),
+                      ids[0]});
   }
   divideDarts(before, after, across->darts, minted, context);
   updateAllowances(after.allowances, cut.edges, after.pattern);
@@ -222,9 +237,17 @@ Done resolve(const Document& before, CutPiece& op, Context& context) {
       return refused(say("The side of a cut's line is left or right, as the line runs, not “{0}”.", side));
   if (context.recorded) return {};
   if (op.corners == Choice::Auto) op.corners = Choice::Yes;
-  auto sides = sidesKept(before, op);
+  bool twins = false;
+  auto sides = sidesKept(before, op, twins);
   if (!sides) return sides.error();
   op.keeps = std::move(*sides);
+  if (op.twins == Choice::Yes && !twins)
+    return refused(
+        say("The line does not part “{0}” in two mirror images; leave twins= away.", before.find(op.piece.id)->name));
+  if (op.twins == Choice::Auto && twins && op.copies != Choice::Yes) op.twins = Choice::Yes;
+  if (op.twins == Choice::Yes && op.copies == Choice::Yes)
+    return refused(say("Parts have one symmetric copy: copies=yes gives them that of “{0}”; leave twins= away.",
+                       before.find(op.piece.id)->name));
   return {};
 }
 

@@ -27,6 +27,7 @@ struct CutPiece {
   std::vector<std::string> keeps;
   Choice corners = Choice::Auto;
   std::string edge;
+  Choice twins = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to cut", kNeeded);
@@ -41,6 +42,10 @@ struct CutPiece {
           kOptional);
     visit("corners", self.corners, kCornersHelp, kOptional);
     visit("edge", self.edge, kCutEdgeHelp, kOptional);
+    visit("twins", self.twins,
+          "two parts that are mirror images, as the halves of a back, are symmetric copies from now on: auto, yes, no "
+          "(auto: yes, but no in a record that does not have it)",
+          kOptional);
   }
   bool operator==(const CutPiece&) const = default;
 };
