@@ -185,7 +185,7 @@ Led together(std::vector<Curve> parts, const std::vector<std::array<double, 2>>&
   if (olds.front()[0] > 0) made.shares.push_back({olds.front()[0], kHair});
   for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
     made.shares.push_back({olds[k][1], ends[k] / along});
-    made.shares.push_back({olds[k + 1][0], ends[k] / along + kHair});
+    if (olds[k + 1][0] > olds[k][1]) made.shares.push_back({olds[k + 1][0], ends[k] / along + kHair});
   }
   if (olds.back()[1] < 1) made.shares.push_back({olds.back()[1], 1 - kHair});
   made.shares.push_back({1, 1});

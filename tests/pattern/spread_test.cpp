@@ -221,6 +221,18 @@ TEST(Spread, FoldsPaperOut) {
   EXPECT_NEAR(edgeLength(bent, "hem"), kWidth - 2 * gone, 1e-9);
   EXPECT_NEAR(edgeLength(bent, "waist"), kWidth, 1e-9);
   for (const char* side : {"left", "right"}) EXPECT_NEAR(edgeLength(bent, side), kHeight, 1e-9);
+  // A seam over the fold, or over its end, stays one.
+  Pattern pattern = patternOf({panel()});
+  for (const auto& [id, edge] : {std::pair(2, "hem"), std::pair(3, "waist")}) {
+    const SeamId seam{static_cast<std::uint64_t>(id)};
+    pattern.seams[seam] = {seam, "", {{{1}, edge, 0, 1}}, {}, true};
+  }
+  updateSeams(pattern, wedge->edited.edges);
+  for (const auto& [id, seam] : pattern.seams) {
+    ASSERT_EQ(seam.a.size(), 1u) << seam.a.front().edge;
+    EXPECT_EQ(seam.a.front().from, 0);
+    EXPECT_EQ(seam.a.front().to, 1);
+  }
   const auto smooth = spreadPiece(panel(), slashed(-0.05, 0, true));
   ASSERT_TRUE(smooth);
   EXPECT_LT(edgeLength(smooth->edited.piece, "hem"), edgeLength(bent, "hem"));
