@@ -34,6 +34,8 @@ const std::vector<Afternoon::Chapter>& Afternoon::chapters() {
 }
 
 void Afternoon::play(const std::function<void(std::size_t)>& after, std::size_t first, std::size_t end) {
+  w.main().activateWindow();  // as a window manager does; else the keys of the menus go to nobody
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&w.main()));
   for (std::size_t k = first; k < std::min(end, chapters().size()); ++k) {
     SCOPED_TRACE(chapters()[k].name);
     (this->*chapters()[k].play)();
@@ -144,7 +146,7 @@ void AfternoonByMouse::takeIn() {
 void AfternoonByMouse::collar() {
   person.click(w.table(), w.onTable("back", along("back", "neck_left", 0.5)), Qt::RightButton);
   w.rest();
-  Person::inDialog([this](QWidget&) { person.key(Qt::Key_Return); });  // as it is offered: 3.5 cm, sewn
+  person.inDialog([this](QWidget&) { person.key(Qt::Key_Return); });  // as it is offered: 3.5 cm, sewn
   person.choose(say("Band along it…"));
   w.rest();
   w.main().activateWindow();  // as a window manager does when a dialog closes
@@ -170,9 +172,9 @@ void AfternoonByMouse::stripes() {
 }
 
 void AfternoonByMouse::paper() {
-  Person::inDialog([this](QWidget& dialog) {
+  person.inDialog([this](QWidget& dialog) {
     w.keepDialog(dialog, picture("export"));
-    Person::inDialog([this](QWidget& file) {
+    person.inDialog([this](QWidget& file) {
       file.findChild<QLineEdit*>()->setFocus();
       person.type(QString::fromStdString(pdf().string()), Qt::Key_Return);
     });

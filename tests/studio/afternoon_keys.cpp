@@ -139,7 +139,7 @@ void AfternoonByKeys::collar() {
   for (int k = 0; k < 30 && !(menu->activeAction() && menu->activeAction()->text() == wanted); ++k)
     QTest::keyClick(menu, Qt::Key_Down);
   ASSERT_TRUE(menu->activeAction() && menu->activeAction()->text() == wanted);
-  Person::inDialog([this](QWidget&) { person.key(Qt::Key_Return); });  // as it is offered: 3.5 cm, sewn
+  person.inDialog([this](QWidget&) { person.key(Qt::Key_Return); });  // as it is offered: 3.5 cm, sewn
   QTest::keyClick(menu, Qt::Key_Return);
   w.rest();
   w.main().activateWindow();  // as a window manager does when a dialog closes
@@ -166,8 +166,8 @@ void AfternoonByKeys::stripes() {
 }
 
 void AfternoonByKeys::paper() {
-  Person::inDialog([this](QWidget&) {
-    Person::inDialog([this](QWidget& file) {
+  person.inDialog([this](QWidget&) {
+    person.inDialog([this](QWidget& file) {
       tabTo(*file.findChild<QLineEdit*>());
       person.type(QString::fromStdString(pdf().string()), Qt::Key_Return);
     });

@@ -251,6 +251,7 @@ TEST(StudioAfternoon, KilledOnTheWayNothingIsLost) {
   }
   AfternoonByMouse hand(w);
   hand.play([](std::size_t) {}, places[times]);
+  EXPECT_TRUE(fs::exists(hand.pdf())) << "to its end";
   EXPECT_EQ(scriptOf(w.session()), model->script);
   EXPECT_EQ(made(w.session()), model->made);
 }

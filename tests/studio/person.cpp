@@ -136,13 +136,16 @@ void Person::choose(QComboBox& box, int item) {
 QPushButton& Person::button(const Message& words) { return w_.button(inWords(words).toUtf8().constData()); }
 LengthBox& Person::box(const Message& name) { return w_.box(inWords(name).toUtf8().constData()); }
 
+Person::~Person() { EXPECT_TRUE(waiting_.children().empty()) << "a dialog that was waited for did not come"; }
+
 void Person::inDialog(std::function<void(QWidget&)> then) {
-  auto* watch = new QTimer(qApp);
+  auto* watch = new QTimer(&waiting_);
   QWidget* was = QApplication::activeModalWidget();
   QObject::connect(watch, &QTimer::timeout, [watch, was, then = std::move(then)] {
     QWidget* dialog = QApplication::activeModalWidget();
     if (!dialog || dialog == was || !dialog->isVisible()) return;
     watch->stop();
+    watch->setParent(qApp);
     const auto act = then;  // the timer, and what it holds, may be deleted while the dialog is waited for
     watch->deleteLater();
     const QPointer<QWidget> open(dialog);

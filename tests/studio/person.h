@@ -2,6 +2,7 @@
 // A person before the window: every click, drag, key and typed value goes through the window system's queue to whatever
 // lies there, and is counted. What is covered, hidden or out of reach is a failure, for a person could not do it
 // either.
+#include <QObject>
 #include <QScrollArea>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace karinui::studio {
 class Person {
  public:
   explicit Person(Window& window) : w_(window) {}
+  ~Person();
   int inputs() const { return inputs_; }
   const std::vector<std::string>& done() const { return done_; }
 
@@ -29,8 +31,8 @@ class Person {
   void choose(QComboBox& box, int item);        // opened, and taken
   QPushButton& button(const Message& words);
   LengthBox& box(const Message& name);
-  // Until a dialog that is open has answered: `then` is called once it is there.
-  static void inDialog(std::function<void(QWidget&)> then);
+  // Until a dialog that is open has answered: `then` is called once it is there. One that never comes is a failure.
+  void inDialog(std::function<void(QWidget&)> then);
 
  private:
   void count(const std::string& what);
@@ -38,6 +40,7 @@ class Person {
   Window& w_;
   int inputs_ = 0;
   std::vector<std::string> done_;
+  QObject waiting_;  // whose children wait for dialogs
 };
 
 }  // namespace karinui::studio
