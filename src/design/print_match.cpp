@@ -100,6 +100,13 @@ bool sewsPleatDown(const Document& document, const Seam& seam) {
   });
 }
 
+// What is gathered to a shorter side cannot go on over the seam, wherever the print begins.
+bool isGathered(const Pattern& pattern, const Seam& seam) {
+  constexpr double kGathered = 1.1;  // times as long as the other side; less is eased in
+  const double a = length(pattern, seam.a), b = length(pattern, seam.b);
+  return std::max(a, b) > kGathered * std::min(a, b);
+}
+
 bool mirrors(PrintKind print) { return print != PrintKind::Photo; }
 int partsOf(PrintKind print) { return print == PrintKind::Stripe ? 1 : 2; }
 
@@ -137,7 +144,9 @@ Flat printRepeat(const Look& look, const PhotoTall& tall) {
 }
 
 std::optional<PrintMeeting> printMeeting(const Document& document, const Seam& seam, const PhotoTall& tall) {
-  if (seam.tie == Seam::Tie::Pleat || closesDart(document, seam) || sewsPleatDown(document, seam)) return std::nullopt;
+  if (seam.tie == Seam::Tie::Pleat || closesDart(document, seam) || sewsPleatDown(document, seam) ||
+      isGathered(document.pattern, seam))
+    return std::nullopt;
   const Meeting meeting(document, seam, tall);
   const std::vector<Met> all = meeting.along();
   if (all.empty()) return std::nullopt;

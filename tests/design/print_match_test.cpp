@@ -134,6 +134,18 @@ TEST(PrintMatch, AStitchedPleatIsNoSeamOfThePrint) {
   }
 }
 
+// The stripes of a gathered skirt lie in its folds: they are not told to miss those of the band.
+TEST(PrintMatch, AGatheredSeamIsNoneOfThePrint) {
+  SewnPrints s;
+  s.play(
+      "rectangle name=skirt width=90cm height=40cm\nrectangle name=band width=60cm height=5cm\n"
+      "rectangle name=eased width=62cm height=40cm\nrectangle name=second width=60cm height=5cm\n"
+      "sew name=gathers a=skirt.top b=band.bottom\nsew name=eases a=eased.top b=second.bottom\n"
+      "look fabric=cotton print=check repeat=4cm\n");
+  EXPECT_FALSE(s.meets("gathers"));
+  EXPECT_TRUE(s.meets("eases"));
+}
+
 // Bars stand where a repeat begins on the one side, and where that place is sewn to on the other.
 TEST(PrintMatch, MarksStandAtRepeatsOnBothSides) {
   SewnPrints s;

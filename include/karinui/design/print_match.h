@@ -23,7 +23,8 @@ struct PrintMeeting {
   double most = 0;  // metres by which it misses, at most
   double at = 0;    // there; share of the seam's length
 };
-// Nothing: a side has no print, the two are not alike, or the seam closes a dart or a pleat, or stitches a pleat down.
+// Nothing: a side has no print, the two are not alike, or the seam closes a dart or a pleat, stitches a pleat down, or
+// gathers one side.
 std::optional<PrintMeeting> printMeeting(const Document& document, const Seam& seam, const PhotoTall& tall);
 
 // The placing (across and along the grain) at which the print of `moved` meets that of the other side at a share of the
