@@ -1,4 +1,5 @@
 #include "design/operations/copied_joins.h"
+#include "karinui/base/number.h"
 #include "karinui/pattern/likeness.h"
 
 namespace karinui {
@@ -18,6 +19,19 @@ void nameAsWhole(Piece& part, EdgeMap& edges) {
   renameEdges(part, edges, names);
 }
 
+// Which end of the line does not reach an edge: of a symmetric piece, whose middle is none, that is easily mistaken.
+Error dividesNothing(const Piece& whole, const std::vector<Flat>& line) {
+  constexpr double kInside = 1e-3;  // metres
+  const Ring ring = whole.outline.flattened(1e-4);
+  for (const Flat end : {line.front(), line.back()})
+    if (const double far = distanceToRing(ring, end); contains(ring, end) && far > kInside)
+      return refused(
+          say("That line divides nothing off “{0}”: its end {1}, {2} mm lies within the piece, {3} mm from the nearest "
+              "edge. Lead both its ends to an edge or beyond.",
+              whole.name, fixed(end.u * 1e3, 1), fixed(end.v * 1e3, 1), fixed(far * 1e3, 0)));
+  return refused(say("That line divides nothing off “{0}”; it must run from edge to edge.", whole.name));
+}
+
 // The part of the piece on one side of the line, standing where it stands in the whole.
 Result<Piece> partOf(const Document& before, const DuplicatePiece& op, Grading& grading) {
   const Piece& whole = *before.find(op.pieces.front().id);
@@ -25,8 +39,7 @@ Result<Piece> partOf(const Document& before, const DuplicatePiece& op, Grading& 
   const PieceId other = op.named == Choice::Yes ? mint<PieceId>(before, 0) : madeBy<PieceId>(1, 0);
   auto cut = cutPiece(whole, op.line, other, "part", {}, op.corners == Choice::Yes);
   if (!cut) return cut.error();
-  if (cut->pieces.size() < 2)
-    return refused(say("That line divides nothing off “{0}”; it must run from edge to edge.", whole.name));
+  if (cut->pieces.size() < 2) return dividesNothing(whole, op.line);
   for (Piece& part : cut->pieces) {
     if (op.named == Choice::Yes) nameAsWhole(part, cut->edges);
     if (!op.edge.empty()) nameCutEdges(part, whole, cut->edges, op.edge);
