@@ -413,6 +413,25 @@ TEST(SewnRuns, AreNamedByHowTheirNamesBegin) {
 }
 
 // A seam and a zip on the same stretch of an edge would tie a place to two others.
+// What is free is told by thousandths of the edge; typed as it is told, it is sewn.
+TEST(SewnRuns, EndAtWhatIsSewnAlready) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const auto play = [&](const std::string& line) {
+    const Done done = room.play(file, line + "\n");
+    return done ? std::string() : text(done.error().what);
+  };
+  ASSERT_EQ(play("rectangle name=leg width=299mm height=20cm\nrectangle name=other width=149mm height=20cm\n"
+                 "rectangle name=shield width=15cm height=20cm\nsew a=leg.bottom@0:0.49832 b=other.bottom"),
+            "");
+  EXPECT_THAT(play("sew a=leg.bottom b=shield.bottom"), testing::HasSubstr("what is free: leg.bottom@0.498:1."));
+  ASSERT_EQ(play("sew a=leg.bottom@0.498:1 b=shield.bottom name=shield"), "");
+  EXPECT_THAT(file.log(), testing::HasSubstr("bottom@0.49832:1"));
+  ASSERT_TRUE(file.undo(room.context));
+  EXPECT_THAT(play("sew a=leg.bottom@0.49:1 b=shield.bottom"), testing::HasSubstr("already sewn"))
+      << "2.5 mm are meant";
+}
+
 TEST_F(Sewing, ASeamKeepsClearOfAZip) {
   play(
       "piece name=over outline=\"M 0 0; hem L 200 0; centre L 200 300; neck L 0 300; side L 0 0\"\n"

@@ -53,6 +53,22 @@ std::string freeOf(const Document& document, const EdgeRef& edge) {
   return all;
 }
 
+// Places on edges are told and typed by thousandths: a part that reaches a hair into what is sewn already ends there.
+void endAtSeams(const Document& document, EdgeRef& edge) {
+  constexpr double kHair = 1.5e-3;  // metres
+  constexpr double kSame = 1e-9;    // of an edge
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto* held : takenSides(seam))
+      for (const EdgeSpan& span : *held) {
+        if (span.piece != edge.piece.id || span.edge != edge.edge) continue;
+        EdgeRef both = edge;
+        both.from = std::fmax(edge.from, span.from), both.to = std::fmin(edge.to, span.to);
+        if (both.to - both.from < kSame || lengthOf(document, {both}) > kHair) continue;
+        const bool atStart = both.from<edge.from + kSame, atEnd = both.to> edge.to - kSame;
+        if (atStart != atEnd) (atStart ? edge.from : edge.to) = atStart ? both.to : both.from;
+      }
+}
+
 bool onOutlines(const Document& document, const std::vector<EdgeRef>& side) {
   return std::all_of(side.begin(), side.end(), [&](const EdgeRef& edge) {
     return document.find(edge.piece.id)->outline.find(edge.edge).has_value();
@@ -141,6 +157,7 @@ Done resolve(const Document& given, SewEdges& op, Context& context) {
       if (overlap(edge, *all[j])) return refused(say("{0} cannot be sewn to itself.", spoken(before, edge)));
     const bool over = op.tie == SewEdges::Tie::Pleat && i < op.a.size();
     if (op.replace || over || lineOf(before, edge)) continue;  // to a line several things can be sewn
+    if (!context.recorded) endAtSeams(before, edge);
     for (const SeamId id : seamsOn(before, {edge})) {
       const std::string free = freeOf(before, edge);
       if (free.empty())
