@@ -573,6 +573,48 @@ TEST_F(Placed, ClothGoesRoundMoreThanOnce) {
   }
 }
 
+// A wrap skirt is cut from a ring: it is wound as a cone, its waist level at the waist and its sides over one another.
+TEST_F(Placed, ARingIsWoundAsACone) {
+  for (const char* top : {"side_left", "side_right"}) {
+    auto file = DocumentFile::inMemory();
+    const Done done =
+        room().play(file, std::string("body size=eu38\nring name=skirt inner=\"waist_girth*1.35\" angle=150deg "
+                                      "depth=60cm\nplace piece=skirt at=\"torso:waist@0.5\" ease=1cm wrap=") +
+                              top + "\n");
+    ASSERT_TRUE(done) << text(done.error().what);
+    EXPECT_NE(file.log().find("cone=yes"), std::string::npos);
+    const Document& document = file.document();
+    const Piece& skirt = *document.pieceNamed("skirt");
+    EXPECT_LT(strained(skirt), 0.02);
+    const BodyPtr body = bodyOf(document, room().context).value();
+    double low = 10, high = 0;
+    for (const Vec3 p : skirt.form->space) EXPECT_GT(body->bvh().signedDistance(p), 0.003);
+    const Stand stand(skirt);
+    const auto at = [&](const char* edge, double share) {
+      return stand(findEdge(skirt, edge)->curve.atFraction(share));
+    };
+    for (const double share : {0.05, 0.3, 0.5, 0.7, 0.95})
+      low = std::fmin(low, at("waist", share).y), high = std::fmax(high, at("waist", share).y);
+    EXPECT_LT(high - low, 0.05) << "the waist is level; round a cylinder it rises by 25 cm at its ends";
+    EXPECT_GT(at("side_left", 0.5).z, 0) << "it laps in front";
+    EXPECT_GT(at("side_right", 0.5).z, 0);
+    const auto away = [&](const char* edge) { return body->bvh().signedDistance(at(edge, 0.5)); };
+    EXPECT_EQ(away("side_left") > away("side_right"), std::string(top) == "side_left");
+    // What an older program recorded stands as it stood.
+    Context replay = room().context;
+    replay.recorded = true;
+    auto before = DocumentFile::inMemory();
+    ASSERT_TRUE(room().play(before, "body size=eu38\nring name=skirt inner=90cm angle=150deg depth=60cm\n"));
+    const auto kept = apply(before.document(),
+                            op(std::string("place piece=skirt at=\"torso:waist@0.5\" ease=1cm wrap=") + top), replay);
+    ASSERT_TRUE(kept) << text(kept.error().what);
+    const Form& form = *kept->pieceNamed("skirt")->form;
+    double tallest = 0;
+    for (const Vec3 p : form.space) tallest = std::fmax(tallest, p.y);
+    EXPECT_GT(tallest, high + 0.1);
+  }
+}
+
 // What a belly is wider than the hip goes into the front of skirt, trousers and leggings; without a belly nothing does.
 TEST_F(Placed, LowerBlocksGoOverABelly) {
   const auto drafted = [&](const std::string& figure, const std::string& kind) {

@@ -109,9 +109,10 @@ Done atAnEnd(const Document& before, const Piece& piece, const PlacePiece& op) {
   Ring paper = piece.outline.flattened(1e-3);
   for (Flat& p : paper) p = turned(p, op.turn);
   const FlatBox box = boxOf(paper);
-  const double at = turned(findEdge(piece, op.wrap)->curve.atFraction(0.5), op.turn).u,
-               share = (at - box.low.u) / (box.high.u - box.low.u);
+  const Flat middle = findEdge(piece, op.wrap)->curve.atFraction(0.5);
+  const double at = turned(middle, op.turn).u, share = (at - box.low.u) / (box.high.u - box.low.u);
   if (share < kEnd || share > 1 - kEnd) return {};
+  if (const auto sector = sectorOf(piece); sector && std::fabs(shareOf(*sector, middle)) > 0.5 - kEnd) return {};
   return refused(say("{0}.{1} is at neither end of what goes round; name the edge of the end that lies on top.",
                      piece.name, op.wrap));
 }
@@ -221,17 +222,18 @@ Done resolve(const Document& before, PlacePiece& op, Context& context) {
   if (op.arc > 0 && !op.wrap.empty())
     return refused(say("What goes round more than once takes all of the way round; leave arc= away."));
   const bool plain = !op.taper && op.wrap.empty() && op.arc == 0;
-  if (op.cone == Choice::Auto) op.cone = ring && plain ? Choice::Yes : Choice::No;
+  const bool wound = !op.wrap.empty() && !op.taper && !context.recorded;  // recorded, it stands as it did
+  if (op.cone == Choice::Auto) op.cone = ring && (plain || wound) ? Choice::Yes : Choice::No;
   if (op.cone == Choice::Yes && op.taper)
     return refused(say("A piece stands as a cone or as a tube that narrows with the limb; say only one of them."));
   if (op.arc > 0 && (op.cone == Choice::Yes || op.taper))
     return refused(
         say("A piece that takes a share of the way round stands neither as a cone nor as a tube that narrows "
             "with the limb; leave cone= and taper= away."));
-  if (!op.wrap.empty() && (op.cone == Choice::Yes || op.taper))
+  if (!op.wrap.empty() && op.taper)
     return refused(
-        say("A piece that goes round more than once stands neither as a cone nor as a tube that narrows with "
-            "the limb; leave cone= and taper= away."));
+        say("A piece that goes round more than once does not stand as a tube that narrows with the limb; leave taper= "
+            "away."));
   return {};
 }
 
@@ -275,7 +277,16 @@ void standInPleats(const WishedPlace& wish, Form& form) {
   if (!wish.isClear(form)) stand(furthest(wish.body, wish.limb, wish.box));
 }
 
+Done standAsWoundCone(const WishedPlace& wish, const RingSector& sector, const Edge& top, Form& form) {
+  const bool endOnTop = shareOf(sector, top.curve.atFraction(0.5)) > 0;
+  const auto cone = coneWound(sector, wish.limb, wish.skin, *wish.op.ease, endOnTop);
+  if (!cone) return cone.error();
+  for (const Flat p : form.flat) form.space.push_back(cone->place(p));
+  return {};
+}
+
 Done standAsCone(const WishedPlace& wish, const RingSector& sector, Form& form) {
+  if (const Edge* top = findEdge(wish.piece, wish.op.wrap)) return standAsWoundCone(wish, sector, *top, form);
   const auto standRound = [&](const std::vector<SkinPlace>& within) -> Done {
     const auto cone = coneRound(sector, wish.limb, within, *wish.op.ease);
     if (!cone) return cone.error();

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "design/operations/tapered_tube.h"
 #include "karinui/base/number.h"
 
 namespace karinui {
@@ -15,6 +17,8 @@ constexpr double kApart = 0.01;     // radians left between the two sides of a r
 constexpr double kAbove = 0.01;     // metres: skin this far above the inner edge counts as well
 constexpr double kFlattest = 1e-3;  // metres from the apex of a cone down to its inner edge
 constexpr double kFurthest = 1.5;   // metres a cone may stand off
+constexpr double kWound = 0.01;     // metres from turn to turn at the inner edge, which a drape closes
+constexpr double kRuled = 0.002;    // metres between rulings there
 
 std::optional<Flat> middleOf(const Curve& arc) {
   const Flat a = arc.start, b = arc.at(0.5), c = arc.end;
@@ -49,6 +53,44 @@ Tent tentOf(const std::vector<SkinPlace>& skin, Flat axis, double up, double eas
   }
   if (tent.total > 0) tent.drop /= tent.total;
   return tent;
+}
+
+// The middle of what the inner edge goes round.
+Flat axisOf(const std::vector<SkinPlace>& skin) {
+  std::vector<Flat> level;
+  for (const SkinPlace& p : skin)
+    if (std::fabs(p.height) <= kAbove) level.push_back(p.place);
+  if (level.size() < 3)
+    for (const SkinPlace& p : skin) level.push_back(p.place);
+  Flat axis;
+  const Ring waist = hull(level);
+  for (const Flat p : waist) axis += p * (1.0 / static_cast<double>(waist.size()));
+  return axis;
+}
+
+// The height of the apex at which the inner edge hangs at its level: the drop falls behind the height as that grows. 0:
+// it is too short to go round even flat.
+std::pair<double, Tent> tentHung(const RingSector& sector, const std::vector<SkinPlace>& skin, Flat axis, double off) {
+  double low = kFlattest, high = sector.inner + 0.01;
+  Tent tent = tentOf(skin, axis, low, off, sector.inner);
+  if (tent.drop <= low) return {0, tent};
+  for (int i = 0; i < 60; ++i) {
+    const double up = 0.5 * (low + high);
+    tent = tentOf(skin, axis, up, off, sector.inner);
+    (tent.drop > up ? low : high) = up;
+  }
+  return {high, tentOf(skin, axis, high, off, sector.inner)};
+}
+
+// All but flat the drop is in proportion to the radius, and has to be more than the height.
+Error tooShort(const RingSector& sector, const Tent& tent) {
+  const double has = sector.angle * sector.inner, needs = has * kFlattest / tent.drop;
+  return refused(
+      say("The inner edge of this ring is {0} mm too short to hang there: it has {1} mm, and a sector of {2} degrees "
+          "needs {3} mm to go round there with its ease. Draw the edge longer or the sector narrower, or place it "
+          "with less ease.",
+          std::floor((needs - has) * 1000) + 1, fixed(has * 1000, 0), fixed(sector.angle * 180 / std::numbers::pi, 0),
+          std::floor(needs * 1000) + 1));
 }
 
 }  // namespace
@@ -92,7 +134,7 @@ Vec3 Cone::place(Flat paper) const {
   const double r = length(from);
   double phi = start + std::atan2(cross(sector.towards, from), dot(sector.towards, from));
   const double total = angle.back();
-  phi -= std::floor(phi / total) * total;
+  if (closed) phi -= std::floor(phi / total) * total;
   const auto next = std::upper_bound(angle.begin(), angle.end(), phi);
   const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next - angle.begin(), 1,
                                                                      static_cast<std::ptrdiff_t>(angle.size()) - 1)) -
@@ -108,40 +150,12 @@ Vec3 Cone::place(Flat paper) const {
 
 Result<Cone> coneRound(const RingSector& sector, const LimbFrame& limb, const std::vector<SkinPlace>& skin,
                        double ease) {
-  std::vector<Flat> level;
-  for (const SkinPlace& p : skin)
-    if (std::fabs(p.height) <= kAbove) level.push_back(p.place);
-  if (level.size() < 3)
-    for (const SkinPlace& p : skin) level.push_back(p.place);
-  Flat axis;
-  const Ring waist = hull(level);
-  for (const Flat p : waist) axis += p * (1.0 / static_cast<double>(waist.size()));
-
-  // The height of the apex at which the inner edge hangs at its level: the drop falls behind the height as that grows.
-  const auto hung = [&](double off) -> std::pair<double, Tent> {
-    double low = kFlattest, high = sector.inner + 0.01;
-    Tent tent = tentOf(skin, axis, low, off, sector.inner);
-    if (tent.drop <= low) return {0, tent};  // too small to go round even flat
-    for (int i = 0; i < 60; ++i) {
-      const double up = 0.5 * (low + high);
-      tent = tentOf(skin, axis, up, off, sector.inner);
-      (tent.drop > up ? low : high) = up;
-    }
-    return {high, tentOf(skin, axis, high, off, sector.inner)};
-  };
+  const Flat axis = axisOf(skin);
+  const auto hung = [&](double off) { return tentHung(sector, skin, axis, off); };
   const double needed = sector.angle + kApart;
   double off = ease;
   auto found = hung(off);
-  if (found.first == 0) {
-    // All but flat the drop is in proportion to the radius, and has to be more than the height.
-    const double has = sector.angle * sector.inner, needs = has * kFlattest / found.second.drop;
-    return refused(
-        say("The inner edge of this ring is {0} mm too short to hang there: it has {1} mm, and a sector of {2} degrees "
-            "needs {3} mm to go round there with its ease. Draw the edge longer or the sector narrower, or place it "
-            "with less ease.",
-            std::floor((needs - has) * 1000) + 1, fixed(has * 1000, 0), fixed(sector.angle * 180 / std::numbers::pi, 0),
-            std::floor(needs * 1000) + 1));
-  }
+  if (found.first == 0) return tooShort(sector, found.second);
   if (found.second.total < needed) {
     double low = ease, high = kFurthest;
     for (int i = 0; i < 50; ++i) {
@@ -171,6 +185,45 @@ Result<Cone> coneRound(const RingSector& sector, const LimbFrame& limb, const st
   for (std::size_t i = 0; i + 1 < cone.ruling.size(); ++i)
     if (const double d = distance(cone.ruling[i], front); d < nearest) nearest = d, cone.start = cone.angle[i];
   return cone;
+}
+
+Result<Cone> coneWound(const RingSector& sector, const LimbFrame& limb, const std::vector<SkinPlace>& skin, double ease,
+                       bool endOnTop) {
+  const Flat axis = axisOf(skin);
+  const auto [up, tent] = tentHung(sector, skin, axis, ease);
+  if (up == 0) return tooShort(sector, tent);
+  const Girth girth(tent.base);
+  const double anchor = girth.nearest({0, -ease}), half = girth.length() * sector.angle / tent.total / 2;
+  Cone cone;
+  cone.sector = sector;
+  cone.closed = false;
+  cone.apex = limb.inSpace(axis, up);
+  const auto ruling = [&](double s) {
+    const double beneath = std::fmax(0, endOnTop ? s + half : half - s);  // from the end that lies at the bottom
+    const Flat base = girth.at(anchor + s) + girth.outwards(anchor + s) * (kWound * beneath / girth.length());
+    return normalized(limb.inSpace(base, 0) - cone.apex);
+  };
+  // A turn that lies on another is wider than that: measured along itself, both ways from the middle.
+  const auto walk = [&](double step) {
+    std::vector<std::pair<double, Vec3>> all{{0, ruling(0)}};
+    for (double s = step; all.back().first < sector.angle / 2; s += step) {
+      const Vec3 next = ruling(s);
+      all.emplace_back(all.back().first + std::acos(std::clamp(dot(all.back().second, next), -1.0, 1.0)), next);
+    }
+    return all;
+  };
+  const auto before = walk(-kRuled), after = walk(kRuled);
+  cone.start = before.back().first;
+  for (auto k = before.rbegin(); k != before.rend(); ++k)
+    cone.angle.push_back(cone.start - k->first), cone.ruling.push_back(k->second);
+  for (auto k = after.begin() + 1; k != after.end(); ++k)
+    cone.angle.push_back(cone.start + k->first), cone.ruling.push_back(k->second);
+  return cone;
+}
+
+double shareOf(const RingSector& sector, Flat paper) {
+  const Flat from = paper - sector.middle;
+  return std::atan2(cross(sector.towards, from), dot(sector.towards, from)) / sector.angle;
 }
 
 }  // namespace karinui

@@ -22,9 +22,10 @@ std::optional<RingSector> sectorOf(const Piece& piece);
 // Geometry of Curves and Surfaces, 3-5.)
 struct Cone {
   Vec3 apex;
-  std::vector<Vec3> ruling;   // unit, round the limb, the first repeated at the end
+  std::vector<Vec3> ruling;   // unit, round the limb; of a closed one the first repeated at the end
   std::vector<double> angle;  // of each from the first, 0 … total
   double start = 0;           // the angle of the sector's middle
+  bool closed = true;         // goes once round; else it is wound, and begins and ends
   RingSector sector;
   Vec3 place(Flat paper) const;
 };
@@ -32,5 +33,12 @@ struct Cone {
 // wider than what goes round there, it stands further off. Refuses a ring too small to go round.
 Result<Cone> coneRound(const RingSector& sector, const LimbFrame& limb, const std::vector<SkinPlace>& skin,
                        double ease);
+
+// The same for a sector that is wider than the way round, as a wrap skirt: it is wound as near as the ease lets it, one
+// end over the other. `endOnTop`: the one its angles grow to, counter-clockwise on the paper.
+Result<Cone> coneWound(const RingSector& sector, const LimbFrame& limb, const std::vector<SkinPlace>& skin, double ease,
+                       bool endOnTop);
+// On which side of the sector's middle a place of the paper is: from -0.5, where its angles begin, to 0.5.
+double shareOf(const RingSector& sector, Flat paper);
 
 }  // namespace karinui
