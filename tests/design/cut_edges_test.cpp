@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "design/workroom.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 namespace {
@@ -134,6 +135,57 @@ TEST(CutEdges, OfBothHalvesTellTheirSideOnceMerged) {
   const auto old = apply(played(kHalf), op(merge), replay);
   ASSERT_TRUE(old) << text(old.error().what);
   EXPECT_THAT(namesOn(*old, "front_left"), Contains("side_2"));
+}
+
+// A princess line is cut on both halves of a front at once; the side panels are each other's copies.
+TEST(CutEdges, OfBothHalvesOfASymmetricPiece) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const auto play = [&](const std::string& lines) {
+    const Done done = room.play(file, lines);
+    return done ? std::string() : text(done.error().what);
+  };
+  ASSERT_EQ(play("body size=eu38\nblock kind=bodice\ncut piece=front line=\"30cm,23cm; 14cm,19cm; 9.5cm,-5cm\" "
+                 "name=side_front_left edge=princess symmetric=yes\n"),
+            "");
+  const Document& document = file.document();
+  const Piece *left = document.pieceNamed("side_front_left"), *right = document.pieceNamed("side_front_right");
+  ASSERT_TRUE(left && right);
+  EXPECT_EQ(right->mirrorOf, left->id);
+  EXPECT_NEAR(left->outline.area(), right->outline.area(), 1e-9);
+  EXPECT_THAT(namesOn(document, "side_front_left"), Contains("side_left"));
+  EXPECT_THAT(namesOn(document, "side_front_right"), Contains("side_right"));
+  EXPECT_TRUE(symmetryOf(document.pieceNamed("front")->outline)) << "the middle is still both halves";
+  EXPECT_THAT(file.log(), HasSubstr("symmetric=yes"));
+  // Seams stay on the edges they were on, of both.
+  const auto side = std::find_if(document.pattern.seams.begin(), document.pattern.seams.end(),
+                                 [](const auto& seam) { return seam.second.name == "side_right"; });
+  ASSERT_NE(side, document.pattern.seams.end());
+  EXPECT_EQ(side->second.a.front().piece, right->id);
+  // What is done to the one panel is done to the other, and the step plays again as it was.
+  ASSERT_EQ(play("line piece=side_front_left along=\"15cm,5cm; 18cm,5cm\" name=pocket\n"), "");
+  EXPECT_EQ(file.document().pieceNamed("side_front_right")->lines.size(), 1u);
+  DocumentFile again = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(again, file.log()));
+  EXPECT_EQ(hash(again.document()), hash(file.document()));
+  // Slits too.
+  ASSERT_EQ(play("cut piece=back line=\"15cm,-1cm; 15cm,5cm\" symmetric=yes\n"), "");
+  EXPECT_TRUE(symmetryOf(file.document().pieceNamed("back")->outline));
+  EXPECT_THAT(play("cut piece=back line=\"-40cm,20cm; 40cm,20cm\" symmetric=yes\n"), HasSubstr("crosses the middle"));
+  EXPECT_THAT(play("cut piece=side_front_left line=\"15cm,-1cm; 15cm,3cm\" symmetric=yes\n"),
+              HasSubstr("is not symmetric"));
+  EXPECT_THAT(play("cut piece=side_front_left line=\"15cm,-1cm; 15cm,3cm\" symmetric=yes copies=yes\n"),
+              HasSubstr("not both"));
+}
+
+// The middle of a symmetric piece is no edge of it.
+TEST(CutEdges, ACopiedPartWhoseLineEndsWithinIsToldWhere) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const Done done =
+      room.play(file, std::string(kPanel) + "duplicate piece=front name=yoke line=\"-10mm,40cm; 20cm,30cm\"\n");
+  ASSERT_FALSE(done);
+  EXPECT_THAT(text(done.error().what), HasSubstr("its end 200.0, 300.0 mm lies within the piece, 200 mm from the"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "design/operations/operations.h"
 #include "design/operations/sewn_runs.h"
@@ -7,6 +8,7 @@
 #include "karinui/pattern/elastic_lines.h"
 #include "karinui/pattern/likeness.h"
 #include "karinui/pattern/pleats.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -120,6 +122,16 @@ void arrangeLike(CutPieces& cut, const std::vector<const Piece*>& likewise) {
   std::sort(cut.pieces.begin(), cut.pieces.end(), [](const Piece& a, const Piece& b) { return a.id < b.id; });
 }
 
+// Whether a line leads across a piece: of one that was divided a single part has it.
+bool liesOn(const std::vector<Flat>& line, const Piece& piece) {
+  constexpr int kSteps = 16;
+  const Ring ring = piece.outline.flattened(1e-4);
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+    for (int n = 1; n < kSteps; ++n)
+      if (contains(ring, lerp(line[k], line[k + 1], n / static_cast<double>(kSteps)))) return true;
+  return false;
+}
+
 std::vector<bool> leftKept(const CutPiece& op) {
   std::vector<bool> left;
   for (const std::string& side : op.keeps) left.push_back(side == "left");
@@ -216,6 +228,28 @@ Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<
   return Cut{std::move(after), std::move(ids)};
 }
 
+// Both halves of a symmetric piece: the line lies in one of them, for across the fold it would meet its image.
+Done resolveHalves(const Document& before, CutPiece& op, Context& context) {
+  constexpr double kFold = 1e-3;  // metres from the fold that are on it
+  const Piece& piece = *before.find(op.piece.id);
+  if (op.copies == Choice::Yes)
+    return refused(
+        say("Say copies= for the symmetric copy of “{0}”, or symmetric= for its other half; not both.", piece.name));
+  if (Done done = resolveSymmetric(piece, op.symmetric, context, [](const PaperSymmetry&) { return true; }); !done)
+    return done;
+  const PaperSymmetry symmetry = *symmetryOf(piece.outline);
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Flat place : op.line) {
+    const double beside = cross(symmetry.axis, place - symmetry.through);
+    low = std::fmin(low, beside), high = std::fmax(high, beside);
+  }
+  if (low > -kFold || high < kFold) return {};
+  return refused(
+      say("The line crosses the middle of “{0}”, where it would meet its image. Lead it across both halves "
+          "and leave symmetric= away, or keep it in one of them.",
+          piece.name));
+}
+
 }  // namespace
 
 Done resolve(const Document& before, CutPiece& op, Context& context) {
@@ -226,6 +260,9 @@ Done resolve(const Document& before, CutPiece& op, Context& context) {
     if (!(length(place) <= 1000)) return refused(say("The line of the cut leaves the table."));
   if (op.copies != Choice::Auto)
     if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
+  if (op.symmetric == Choice::No) op.symmetric = Choice::Auto;  // nothing is to be decided
+  if (op.symmetric == Choice::Yes)
+    if (Done done = resolveHalves(before, op, context); !done) return done;
   if (op.name.empty())
     op.name = usableName(before, before.find(op.piece.id)->name);
   else if (Done done = checkNewName(before, op.name); !done)
@@ -264,19 +301,37 @@ Result<Document> perform(const Document& before, const CutPiece& op, Context& co
   std::vector<const Piece*> own;
   const Pattern pattern = after.pattern;  // keeps them
   for (const PieceId part : cut->parts) own.push_back(pattern.pieces.at(part).get());
-  for (const PieceId id : copies) {
+  // The same cut along the image of the line, in another piece.
+  const auto cutLikewise = [&](PieceId id, const std::function<Flat(Flat)>& image) -> Result<Cut> {
     CutPiece likewise = op;
     likewise.piece.id = id;
     likewise.name = nameOfCopy(after, op.name);
-    for (Flat& place : likewise.line) place.u = -place.u;
+    for (Flat& place : likewise.line) place = image(place);
     for (std::string& side : likewise.keeps) side = side == "left" ? "right" : "left";
-    auto other = cutIn(after, likewise, own, minted, silent);
+    return cutIn(after, likewise, own, minted, silent);
+  };
+  for (const PieceId id : copies) {
+    auto other = cutLikewise(id, [](Flat place) { return Flat{-place.u, place.v}; });
     if (!other) return other.error();
     after = std::move(other->after);
     const bool copied = before.find(id)->mirrorOf == whole.id;
     for (const PieceId part : cut->parts)
       for (const PieceId image : other->parts)
         after = copied ? withLikeness(std::move(after), part, image) : withLikeness(std::move(after), image, part);
+  }
+  if (op.symmetric == Choice::Yes) {
+    const PaperSymmetry symmetry = *symmetryOf(whole.outline);
+    std::vector<Flat> line = op.line;
+    for (Flat& place : line) place = symmetry.image(place);
+    if (!liesOn(line, *after.find(whole.id)))
+      return refused(
+          say("Of both halves of “{0}” the part between the two lines keeps the name; leave keeps= away.", whole.name));
+    auto other = cutLikewise(whole.id, [&](Flat place) { return symmetry.image(place); });
+    if (!other) return other.error();
+    after = std::move(other->after);
+    for (const PieceId part : cut->parts)
+      for (const PieceId image : other->parts)
+        if (part != whole.id && image != whole.id) after = withLikeness(std::move(after), part, image);
   }
   return after;
 }

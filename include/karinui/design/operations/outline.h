@@ -28,6 +28,7 @@ struct CutPiece {
   Choice corners = Choice::Auto;
   std::string edge;
   Choice twins = Choice::Auto;
+  Choice symmetric = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to cut", kNeeded);
@@ -45,6 +46,9 @@ struct CutPiece {
     visit("twins", self.twins,
           "two parts that are mirror images, as the halves of a back, are symmetric copies from now on: auto, yes, no "
           "(auto: yes, but no in a record that does not have it)",
+          kOptional);
+    visit("symmetric", self.symmetric,
+          "both halves of a symmetric piece, the other along the image of the line: auto, yes, no (auto: no)",
           kOptional);
   }
   bool operator==(const CutPiece&) const = default;
