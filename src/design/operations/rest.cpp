@@ -6,6 +6,8 @@
 #include <set>
 
 #include "design/operations/dressing.h"
+#include "karinui/geometry/bvh.h"
+#include "karinui/pattern/facing.h"
 
 namespace karinui {
 
@@ -60,6 +62,48 @@ void tellFallen(const Document& before, const DrapeOutcome& outcome, const Conte
   }
 }
 
+// How much of one piece's cloth lies over another, and on which side of it as seen from the body.
+struct LaidOver {
+  int outside = 0, inside = 0;
+};
+LaidOver laidOver(const Form& form, const Form& other, const Body& body) {
+  constexpr double kNear = 0.02, kClearly = 2e-3;  // metres
+  TriangleMesh mesh;
+  mesh.points = other.space, mesh.faces = other.faces;
+  const Bvh cloth(mesh);
+  LaidOver laid;
+  for (const Vec3 place : form.space) {
+    const auto near = cloth.nearest(place, kNear);
+    if (!near) continue;
+    const double by = body.field().distance(place) - body.field().distance(near->point);
+    if (by > kClearly) ++laid.outside;
+    if (by < -kClearly) ++laid.inside;
+  }
+  return laid;
+}
+
+// A lower layer that came to rest outside a higher one, as the shield of a fly that was sewn on before the garment
+// hung: what is sewn up at once lies as its pieces came together. A facing turned out with a lapel is meant.
+void tellLayers(const Document& before, const DrapeOutcome& outcome, Context& context) {
+  constexpr double kShare = 0.3, kMostly = 4;  // of its cloth; times as much as lies inside
+  const auto body = bodyOf(before, context);
+  if (!body) return;
+  const std::set<PieceId> insideOut = wornInsideOut(before.pattern);
+  for (const auto& [id, form] : outcome.forms)
+    for (const auto& [above, other] : outcome.forms) {
+      const Piece &lower = *before.find(id), &upper = *before.find(above);
+      if (lower.layer >= upper.layer || insideOut.contains(id) || insideOut.contains(above)) continue;
+      const LaidOver laid = laidOver(*form, *other, **body);
+      if (laid.outside < kShare * static_cast<double>(form->space.size()) || laid.outside < kMostly * laid.inside)
+        continue;
+      context.advise({say("“{0}” came to rest outside “{1}”, though its layer is the lower one. Drape the garment "
+                          "without it, then lead it to its edge (attach), sew it there and drape again.",
+                          lower.name, upper.name),
+                      id});
+      break;
+    }
+}
+
 }  // namespace
 
 Done resolve(const Document& before, DrapePieces& op, Context&) {
@@ -71,7 +115,7 @@ Done resolve(const Document& before, DrapePieces& op, Context&) {
 Result<Document> perform(const Document& before, const DrapePieces& op, Context& context) {
   const Result<DrapeOutcome> outcome = draped(before, op, context);
   if (!outcome) return outcome.error();
-  if (context.advise) tellFallen(before, *outcome, context);
+  if (context.advise) tellFallen(before, *outcome, context), tellLayers(before, *outcome, context);
   return adopted(before, *outcome);
 }
 
