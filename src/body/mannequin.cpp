@@ -318,7 +318,7 @@ Result<BodyPtr> made(const Measurements& wanted, const Making& making, Unmet& un
 // The stated girth without which the others can be met: what the solver's slopes do not tell where it stopped far off.
 std::string inTheWay(const Measurements& wanted, const Unmet& unmet, const Making& by) {
   Unmet ignored;
-  for (const char* key : {"under_bust_girth", "waist_girth", "hip_girth", "belly_girth", "bust_girth"}) {
+  for (const char* key : {"waist_girth", "hip_girth", "belly_girth", "under_bust_girth", "bust_girth"}) {
     Measurements others = wanted;
     if (key == unmet.key || others.value.erase(key) == 0 || by.token.cancelled()) continue;
     if (made(others, by, ignored)) return key;
@@ -367,10 +367,13 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
     auto other = made(wanted, {workers, token, ends, wider, has, true}, ignored);
     if (other || token.cancelled()) return other;
   }
-  if (unmet.other.empty()) {
-    unmet.other = inTheWay(wanted, unmet, by);
-    if (!unmet.other.empty()) unmet.otherWanted = wanted.value.at(unmet.other);
-  }
+  // Ribs narrower than the waist are more in its way than the hip, whatever the slopes say.
+  const double ribs = stated("under_bust_girth");
+  if (unmet.key == "waist_girth" && ribs > 0 && ribs < unmet.wanted)
+    unmet.other = "under_bust_girth", unmet.otherWanted = ribs;
+  else if (unmet.other.empty())
+    if (const std::string other = inTheWay(wanted, unmet, by); !other.empty())
+      unmet.other = other, unmet.otherWanted = wanted.value.at(other);
   const auto limit = nearestMade(wanted, unmet, by);
   if (token.cancelled()) return cancelled();
   return unmetSaid(unmet, limit);
