@@ -685,6 +685,25 @@ TEST_F(Placed, LowerBlocksAreWornWhereTheyHold) {
   }
 }
 
+// Whose arm would fill the armhole of the bodice has it deeper; a record from before has what it had.
+TEST_F(Placed, AnArmHasRoomInItsArmhole) {
+  const auto armhole = [&](const std::string& size, const std::string& more) {
+    auto file = DocumentFile::inMemory();
+    const Done done = room().play(file, "body size=" + size + "\nblock kind=bodice trued=no" + more + "\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    const double arm = bodyOf(file.document(), room().context).value()->measured().value.at("upper_arm_girth");
+    double all = -arm;
+    for (const char* piece : {"front", "back"})
+      all += findEdge(*file.document().pieceNamed(piece), "armhole_left")->curve.length();
+    return all;
+  };
+  for (const char* size : {"child146", "eu50"}) {
+    EXPECT_LT(armhole(size, " armhole=no"), 0.11) << size;
+    EXPECT_NEAR(armhole(size, ""), 0.121, 0.002) << size;
+  }
+  EXPECT_GE(armhole("eu38", ""), 0.119);
+}
+
 // The front and the back of a gathered skirt stand before and behind the body in waves, side to side.
 TEST_F(Placed, AWideFrontAndBackStandInWaves) {
   const std::string panels =

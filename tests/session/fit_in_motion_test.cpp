@@ -94,7 +94,7 @@ TEST(FitInMotion, TellsHowFarOpenEdgesSlideOverTheSkin) {
 TEST(FitInMotion, APoseThatCannotBeTakenIsToldBesideTheOthers) {
   Fitting fitting;
   const auto figure =
-      parseOperation("body sex=female set=\"height=168cm; bust_girth=146cm; waist_girth=131cm; hip_girth=147cm\"");
+      parseOperation("body sex=female set=\"height=160cm; bust_girth=130cm; belly_girth=150cm; hip_girth=130cm\"");
   ASSERT_TRUE(figure);
   const auto tunic = apply(fitting.tunic(), *figure, fitting.context);
   ASSERT_TRUE(tunic) << text(tunic.error().what);

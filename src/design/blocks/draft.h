@@ -80,6 +80,7 @@ struct BlockWish {
   std::optional<double> ease, length;
   bool belly = false;  // lower pieces have room for a belly that is wider than the hip
   DraftBlock::Worn worn = DraftBlock::Worn::Waist;
+  bool armhole = false;  // upper pieces have an armhole that an arm has room in
 };
 Result<Draft> bodiceDraft(const Measured& of, const BlockWish& wish);
 Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish);
@@ -92,7 +93,7 @@ Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish);
 struct Armhole {
   double front = 0, back = 0;
 };
-Armhole bodiceArmhole(const Measured& of);
+Armhole bodiceArmhole(const Measured& of, const BlockWish& wish);
 Result<Draft> sleeveDraft(const Measured& of, const BlockWish& wish, Armhole armhole);
 
 // The half of an upper piece, from the centre of the hem round to the centre of the neck.

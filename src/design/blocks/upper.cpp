@@ -40,6 +40,16 @@ Upper upperOf(const Measured& of, double deeper, double wider, double neckOff, d
   return upper;
 }
 
+// An arm that fills its armhole is pressed in it: under it the armhole is lowered, which a child's and a man's need.
+void giveArmRoom(Upper& upper, const Measured& of) {
+  constexpr double kRoom = 0.12, kStep = 1e-3, kMost = 0.06;  // metres: of the armhole beyond the arm's girth; down
+  const double enough = of("upper_arm_girth") + kRoom;
+  for (double down = 0; down < kMost; down += kStep) {
+    if (lengthOf(upperHalf(upper.front), "armhole") + lengthOf(upperHalf(upper.back), "armhole") >= enough) return;
+    for (UpperHalf* h : {&upper.front, &upper.back}) h->underarm -= kStep;
+  }
+}
+
 }  // namespace
 
 DraftBand collarBand(std::vector<EdgeRef> neckline, double depth) {
@@ -61,6 +71,7 @@ Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish) {
     h->chestWidth = h->hemWidth = widest / 4;
     h->waistWidth = widest / 4 - 0.01;
   }
+  if (wish.armhole) giveArmRoom(upper, of);
   const auto front = upperHalf(upper.front), back = upperHalf(upper.back);
   auto sleeves = sleeveDraft(of, {0.08, {}}, {lengthOf(front, "armhole"), lengthOf(back, "armhole")});
   if (!sleeves) return sleeves.error();
@@ -91,9 +102,10 @@ Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish) {
   return draft;
 }
 
-Armhole bodiceArmhole(const Measured& of) {
+Armhole bodiceArmhole(const Measured& of, const BlockWish& wish) {
   Upper upper = upperOf(of, 0.02, 0, 0.035, 0.05);
   upper.front.chestWidth = upper.back.chestWidth = (of("bust_girth") + 0.06) / 4;
+  if (wish.armhole) giveArmRoom(upper, of);
   return {lengthOf(upperHalf(upper.front), "armhole"), lengthOf(upperHalf(upper.back), "armhole")};
 }
 
@@ -110,6 +122,7 @@ Result<Draft> bodiceDraft(const Measured& of, const BlockWish& wish) {
     h->waistWidth = chest - atSide;
     h->hemWidth = h->waistWidth;
   }
+  if (wish.armhole) giveArmRoom(upper, of);
   const auto front = upperHalf(upper.front), back = upperHalf(upper.back);
   if (Done done = of.enough(); !done) return done.error();
   Draft draft;

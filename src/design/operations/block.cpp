@@ -254,7 +254,7 @@ std::optional<EdgeRef> edgeThere(const Document& document, const std::string& pa
 Result<Draft> sleevesFor(const Document& before, const Measured& of, const BlockWish& wish) {
   const auto front = edgeThere(before, "front", "armhole", "left"), back = edgeThere(before, "back", "armhole", "left");
   if (!front || !back) {
-    const auto armhole = bodiceArmhole(of);
+    const auto armhole = bodiceArmhole(of, wish);
     return sleeveDraft(of, wish, armhole);
   }
   auto draft = sleeveDraft(of, wish, {lengthOf(before, {*front}), lengthOf(before, {*back})});
@@ -307,6 +307,8 @@ Done resolve(const Document& before, DraftBlock& op, Context& context) {
   const bool lower = op.kind == Kind::Skirt || op.kind == Kind::Trousers || op.kind == Kind::Leggings;
   if (op.belly == Choice::Auto && !context.recorded && lower) op.belly = Choice::Yes;
   if (op.worn == DraftBlock::Worn::Auto && !context.recorded && lower) op.worn = DraftBlock::Worn::Holds;
+  const bool upper = op.kind == Kind::Bodice || op.kind == Kind::Shirt || op.kind == Kind::Sleeve;
+  if (op.armhole == Choice::Auto && !context.recorded && upper) op.armhole = Choice::Yes;
   if (!op.fabric.empty()) return checkFabricName(before, op.fabric);
   return {};
 }
@@ -320,6 +322,7 @@ Result<Document> perform(const Document& before, const DraftBlock& op, Context& 
   if (op.length) wish.length = op.length->metres;
   wish.belly = op.belly == Choice::Yes;
   if (op.worn != DraftBlock::Worn::Auto) wish.worn = op.worn;
+  wish.armhole = op.armhole == Choice::Yes;
   Result<Draft> draft = refused(say("There is no such block."));
   switch (op.kind) {
     case Kind::Bodice:

@@ -106,6 +106,7 @@ struct DraftBlock {
   bool over = false;
   Choice belly = Choice::Auto;
   enum class Worn { Auto, Holds, Waist, HighHip } worn = Worn::Auto;
+  Choice armhole = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("kind", self.kind, "bodice, sleeve, skirt, trousers, leggings, shirt or collar", kNeeded);
@@ -127,6 +128,11 @@ struct DraftBlock {
           "holds them up, otherwise below the belly at the high hip), auto (holds, but waist in a record that does not "
           "have it)",
           kOptional);
+    visit(
+        "armhole", self.armhole,
+        "the armhole of a bodice or a shirt is at least 12 cm longer than the upper arm is round, its underarm as low "
+        "as that takes: auto, yes, no (auto: yes, but no in a record that does not have it)",
+        kOptional);
   }
   bool operator==(const DraftBlock&) const = default;
 };
