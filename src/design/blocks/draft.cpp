@@ -22,19 +22,24 @@ Measured::Belly Measured::belly() const {
   return {girth->second, std::fmax(0, (*this)("waist_height") - high->second)};
 }
 
-double Measured::widestUnderWaist() const {
+Measured::Trunk Measured::underWaist() const {
   constexpr int kLevels = 16;
   const TriangleMesh& mesh = body_.own().mesh();
   const double low = (*this)("hip_height"), high = (*this)("waist_height");
-  double widest = std::fmax((*this)("hip_girth"), (*this)("waist_girth"));
-  for (int k = 1; k < kLevels; ++k)
-    for (const SectionLoop& loop : section(mesh, {{0, std::lerp(low, high, double(k) / kLevels), 0}, {0, 1, 0}})) {
+  Trunk trunk{std::fmax((*this)("hip_girth"), (*this)("waist_girth")), (*this)("high_hip_girth"),
+              (*this)("high_hip_height")};
+  for (int k = 1; k < kLevels; ++k) {
+    const double height = std::lerp(low, high, double(k) / kLevels);
+    for (const SectionLoop& loop : section(mesh, {{0, height, 0}, {0, 1, 0}})) {
       const auto side = [](Vec3 a, Vec3 b) { return a.x < b.x; };
       const auto [left, right] = std::minmax_element(loop.points.begin(), loop.points.end(), side);
-      if (left->x < 0 && right->x > 0)  // no arm
-        widest = std::fmax(widest, tightTapeLength(loop.points, {0, 1, 0}));
+      if (left->x >= 0 || right->x <= 0) continue;  // an arm
+      const double girth = tightTapeLength(loop.points, {0, 1, 0});
+      trunk.widest = std::fmax(trunk.widest, girth);
+      if (4 * k <= 3 * kLevels && girth < trunk.narrowest) trunk.narrowest = girth, trunk.narrowHeight = height;
     }
-  return widest;
+  }
+  return trunk;
 }
 
 std::optional<double> Measured::aside(const std::string& landmark) const {

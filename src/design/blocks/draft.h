@@ -21,7 +21,11 @@ class Measured {
     double girth = 0, belowWaist = 0;
   };
   Belly belly() const;
-  double widestUnderWaist() const;  // the girth of the trunk where it is widest between waist and hip
+  // The trunk between hip and waist: its greatest girth, and its least below the upper quarter.
+  struct Trunk {
+    double widest = 0, narrowest = 0, narrowHeight = 0;
+  };
+  Trunk underWaist() const;
   // Metres to the left of the middle; nothing where the figure has no such landmark.
   std::optional<double> aside(const std::string& landmark) const;
   bool female() const { return body_.measured().sex == Sex::Female; }

@@ -22,34 +22,38 @@ Quarter quarterOf(double waist, double hip, double atSide, bool exact) {
 
 // Where the upper edge lies. What is worn holds by what is wider below it.
 struct Top {
-  bool atWaist = true;
   double girth = 0, height = 0;  // metres; height above the floor
+  double along = 3;              // that height, by the levels of the torso's chart
   double ease = 0.02;
   bool exact = false;  // no wider than that for want of a dart
   double raised = 0;   // metres that the middle of the back is raised by besides
   double belly = 0;    // metres that the front is wider than the back, for a belly that is wider than the hip
+  bool atWaist() const { return along == 3; }
 };
 Top topOf(const Measured& of, const BlockWish& wish) {
   using Worn = DraftBlock::Worn;
-  constexpr double kHolds = 0.02, kBetter = 0.01;  // metres of girth that what lies below is wider by
-  constexpr double kFirm = 0.04;  // metres that the edge is narrower by than what lies below, where that can be
-  Top top{true, of("waist_girth"), of("waist_height")};
-  const double hip = of("hip_girth");
-  const auto low = [&] {
-    return Top{false, std::fmin(of("high_hip_girth"), hip), of("high_hip_height"), 0.005, true, 0.015};
+  constexpr double kBetter = 0.01;  // metres of girth that a place holds better by than the waist
+  constexpr double kWell = 0.06;    // metres of girth that any edge holds by
+  constexpr double kFirm = 0.04;    // metres that the edge is narrower by than what lies below, where that can be
+  const double hip = of("hip_girth"), waistHigh = of("waist_height"), highHip = of("high_hip_height");
+  Top top{of("waist_girth"), waistHigh};
+  const auto low = [&](double girth, double height) {
+    const double above = (height - highHip) / std::fmax(waistHigh - highHip, 0.01),
+                 below = (height - highHip) / std::fmax(highHip - of("hip_height"), 0.01);
+    return Top{
+        std::fmin(girth, hip), height, 2 + std::clamp(height > highHip ? above : below, -0.9, 0.9), 0.005, true, 0.015};
   };
-  if (wish.worn == Worn::HighHip) return low();
+  if (wish.worn == Worn::HighHip) return low(of("high_hip_girth"), highHip);
   // Where the waist is wider than the hip nothing but a belly below it holds up what has room for one.
   if (wish.belly && top.girth <= hip) top.belly = std::fmax(0, of.belly().girth - hip);
   if (wish.worn != Worn::Holds) return top;
+  const Measured::Trunk trunk = of.underWaist();
+  const double holds = trunk.widest - top.girth;
+  if (wish.belly && top.girth > hip - kFirm) top.belly = std::fmax(top.belly, trunk.widest - hip);
   top.exact = true;
-  const double widest = of.widestUnderWaist();
-  if (wish.belly && top.girth > hip - kHolds) top.belly = std::fmax(top.belly, widest - hip);
-  const double holds = widest - top.girth;
   top.ease = std::clamp(holds - kFirm, -0.01, top.ease);
-  if (holds >= kHolds) return top;
-  const Top other = low();
-  return hip - other.girth > std::fmax(holds, 0.0) + kBetter ? other : top;
+  if (holds >= kWell || hip - trunk.narrowest < holds + kBetter) return top;
+  return low(trunk.narrowest, trunk.narrowHeight);
 }
 
 void sewLegs(Draft& draft) {
@@ -101,8 +105,8 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
   const Top worn = topOf(of, wish);
   const double waist = (worn.girth + worn.ease) / 4, hip = (of("hip_girth") + ease) / 4;
   // The hip line of a skirt lies where the seat is fullest, no deeper than 22 cm.
-  const double deep = worn.atWaist ? std::fmin(of("waist_to_hip_length"), 0.22)
-                                   : std::clamp(worn.height - of("hip_height"), 0.06, 0.22);
+  const double deep = worn.atWaist() ? std::fmin(of("waist_to_hip_length"), 0.22)
+                                     : std::clamp(worn.height - of("hip_height"), 0.06, 0.22);
   const double whole = wish.length.value_or(worn.height - of("knee_height"));
   if (Done done = of.enough(); !done) return done.error();
   if (!(whole > deep + 0.03))
@@ -129,7 +133,7 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
     const std::string plus = front ? "_left" : "_right", minus = front ? "_right" : "_left";
     DraftPiece piece{name, wholeOf(half, plus, minus), {}, {}, {}, {}};
     BodyPoint at;
-    at.along = worn.atWaist ? 3 : 2, at.around = front ? 0 : 0.5;
+    at.along = worn.along, at.around = front ? 0 : 0.5;
     piece.stands.at = at, piece.stands.ease = 0.012;
     draft.pieces.push_back(std::move(piece));
     if (q.dart < kLeastDart) continue;

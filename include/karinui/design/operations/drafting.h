@@ -123,11 +123,12 @@ struct DraftBlock {
           "the front of a skirt, trousers or leggings has room for a belly that is wider than the hip, where they are "
           "worn above it: auto, yes, no (auto: yes, but no in a record that does not have it)",
           kOptional);
-    visit("worn", self.worn,
-          "where the upper edge of a skirt, trousers or leggings lies: waist, high_hip, holds (at the waist where that "
-          "holds them up, otherwise below the belly at the high hip), auto (holds, but waist in a record that does not "
-          "have it)",
-          kOptional);
+    visit(
+        "worn", self.worn,
+        "where the upper edge of a skirt, trousers or leggings lies: waist, high_hip, holds (at the waist, or where it "
+        "is narrowest below the belly if that holds them better), auto (holds, but waist in a record that does not "
+        "have it)",
+        kOptional);
     visit(
         "armhole", self.armhole,
         "the armhole of a bodice or a shirt is at least 12 cm longer than the upper arm is round, its underarm as low "
