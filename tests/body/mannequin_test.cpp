@@ -275,14 +275,15 @@ TEST(Mannequin, StoutFiguresAreMade) {
   }
 }
 
+Measurements ofGirths(Sex sex, double height, double bust, double waist, double hip) {
+  return {sex, {{"height", height}, {"bust_girth", bust}, {"waist_girth", waist}, {"hip_girth", hip}}};
+}
+
 // Whose waist is as wide as the hip carries it in front.
 TEST(Mannequin, AWaistAsWideAsTheHipIsABellys) {
-  const auto figure = [](Sex sex, double height, double bust, double waist, double hip) {
-    return Measurements{sex, {{"height", height}, {"bust_girth", bust}, {"waist_girth", waist}, {"hip_girth", hip}}};
-  };
   for (const Measurements& wanted :
-       {figure(Sex::Male, 1.78, 1.08, 1.12, 1.10), figure(Sex::Female, 1.65, 1.10, 1.04, 1.04),
-        figure(Sex::Male, 1.78, 1.32, 1.30, 1.28)}) {
+       {ofGirths(Sex::Male, 1.78, 1.08, 1.12, 1.10), ofGirths(Sex::Female, 1.65, 1.10, 1.04, 1.04),
+        ofGirths(Sex::Male, 1.78, 1.32, 1.30, 1.28)}) {
     if (const BodyPtr body = made(wanted)) {
       meets(wanted, *body);
       const auto& at = body->landmarks();
@@ -296,12 +297,9 @@ TEST(Mannequin, AWaistAsWideAsTheHipIsABellys) {
 // The hip is the seat's, not the under side of a belly as wide; the bust lies where it usually does, not on a shelf of
 // the ribs; the waist of a woman with a belly lies above it.
 TEST(Mannequin, AStoutFigureHasSeatBustAndWaist) {
-  const auto figure = [](Sex sex, double height, double bust, double waist, double hip) {
-    return Measurements{sex, {{"height", height}, {"bust_girth", bust}, {"waist_girth", waist}, {"hip_girth", hip}}};
-  };
   for (const Measurements& wanted :
-       {figure(Sex::Male, 1.76, 1.20, 1.25, 1.18), figure(Sex::Female, 1.65, 1.20, 1.15, 1.22),
-        figure(Sex::Female, 1.60, 1.24, 1.18, 1.18)}) {
+       {ofGirths(Sex::Male, 1.76, 1.20, 1.25, 1.18), ofGirths(Sex::Female, 1.65, 1.20, 1.15, 1.22),
+        ofGirths(Sex::Female, 1.60, 1.24, 1.18, 1.18)}) {
     const BodyPtr body = made(wanted);
     if (!body) continue;
     meets(wanted, *body);

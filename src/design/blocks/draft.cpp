@@ -26,8 +26,8 @@ Measured::Trunk Measured::underWaist() const {
   constexpr int kLevels = 16;
   const TriangleMesh& mesh = body_.own().mesh();
   const double low = (*this)("hip_height"), high = (*this)("waist_height");
-  Trunk trunk{std::fmax((*this)("hip_girth"), (*this)("waist_girth")), (*this)("high_hip_girth"),
-              (*this)("high_hip_height")};
+  const double waist = (*this)("waist_girth");
+  Trunk trunk{std::fmax((*this)("hip_girth"), waist), waist, high};
   for (int k = 1; k < kLevels; ++k) {
     const double height = std::lerp(low, high, double(k) / kLevels);
     for (const SectionLoop& loop : section(mesh, {{0, height, 0}, {0, 1, 0}})) {

@@ -35,15 +35,16 @@ Top topOf(const Measured& of, const BlockWish& wish) {
   constexpr double kBetter = 0.01;  // metres of girth that a place holds better by than the waist
   constexpr double kWell = 0.06;    // metres of girth that any edge holds by
   constexpr double kFirm = 0.04;    // metres that the edge is narrower by than what lies below, where that can be
-  const double hip = of("hip_girth"), waistHigh = of("waist_height"), highHip = of("high_hip_height");
+  const double hip = of("hip_girth"), waistHigh = of("waist_height");
   Top top{of("waist_girth"), waistHigh};
   const auto low = [&](double girth, double height) {
+    const double highHip = of("high_hip_height");
     const double above = (height - highHip) / std::fmax(waistHigh - highHip, 0.01),
                  below = (height - highHip) / std::fmax(highHip - of("hip_height"), 0.01);
     return Top{
         std::fmin(girth, hip), height, 2 + std::clamp(height > highHip ? above : below, -0.9, 0.9), 0.005, true, 0.015};
   };
-  if (wish.worn == Worn::HighHip) return low(of("high_hip_girth"), highHip);
+  if (wish.worn == Worn::HighHip) return low(of("high_hip_girth"), of("high_hip_height"));
   // Where the waist is wider than the hip nothing but a belly below it holds up what has room for one.
   if (wish.belly && top.girth <= hip) top.belly = std::fmax(0, of.belly().girth - hip);
   if (wish.worn != Worn::Holds) return top;
