@@ -8,7 +8,7 @@
 #include "karinui/base/file.h"
 #include "karinui/base/memory.h"
 #include "karinui/base/threads.h"
-#include "karinui/body/measurements.h"
+#include "karinui/body/sizes.h"
 #include "karinui/design/values.h"
 #include "room_program.h"
 
@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
   } else {
     if (!call.file.empty()) session.create(call.file);
     SetBody body;
-    body.size = call.size.empty() ? std::string(builtInSizes().front()) : call.size;
+    body.size = call.size.empty() ? std::string(kUsualSize) : call.size;
     session.perform(body);
   }
   session.finish();

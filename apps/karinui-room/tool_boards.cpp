@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "karinui/body/measurements.h"
+#include "karinui/body/sizes.h"
 #include "karinui/design/glossary.h"
 #include "karinui/design/variant.h"
 
@@ -45,10 +45,22 @@ std::vector<Offer> fabrics(const Session& session) {
   return all;
 }
 
+// All sizes of the series that is worn, so that one size smaller or larger is at hand; of the others the usual one.
+std::vector<std::string_view> sizesOffered(const SetBody* now) {
+  std::vector<std::string_view> all;
+  for (const SizeSeries& series : sizeSeries()) {
+    const bool worn = now && std::any_of(series.sizes.begin(), series.sizes.end(),
+                                         [&](const BuiltInSize& size) { return size.name == now->size; });
+    for (const BuiltInSize& size : series.sizes)
+      if (worn || size.name == series.usual) all.push_back(size.name);
+  }
+  return all;
+}
+
 std::vector<Offer> figures(const Session& session) {
   const SetBody* now = session.figure();
   std::vector<Offer> all;
-  for (const std::string_view size : builtInSizes()) {
+  for (const std::string_view size : sizesOffered(now)) {
     SetBody body;
     body.size = size;
     body.form = now && now->form;

@@ -18,6 +18,7 @@
 #include "measure_row.h"
 #include "measures_file.h"
 #include "panels.h"
+#include "size_box.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -42,14 +43,12 @@ BodyPanel::BodyPanel(Session& session, QWidget* in) : Panel(session, in) {
   form->addRow(title(say("Figure")));
   size_ = new QComboBox;
   Theme::here().keep(size_, [this] {
-    const int was = size_->currentIndex();
+    const std::string was = size_->count() > 0 ? chosenSize(*size_) : std::string(kUsualSize);
     size_->clear();
     size_->addItem(inWords(say("by measurements only")));
-    for (const std::string_view s : builtInSizes())
-      size_->addItem(inWords(termSaid(Term::Size, s).value_or(say("{0}", s))));
-    size_->setCurrentIndex(std::max(0, was));
+    addSizes(*size_);
+    chooseSize(*size_, was);
   });
-  size_->setCurrentIndex(1);
   sex_ = new QComboBox;
   Theme::here().keep(sex_, [this] {
     const int was = sex_->currentIndex();
@@ -254,8 +253,7 @@ void BodyPanel::askSaveMeasures() {
 
 SetBody BodyPanel::wished() const {
   SetBody body;
-  if (size_->currentIndex() > 0)
-    body.size = std::string(builtInSizes()[static_cast<std::size_t>(size_->currentIndex() - 1)]);
+  body.size = chosenSize(*size_);
   if (sex_->currentIndex() > 0) body.sex = kSexes[sex_->currentIndex() - 1];
   body.form = dressForm_->isChecked();
   for (const auto& [key, row] : rows_)
@@ -297,7 +295,6 @@ void BodyPanel::wear() {
 
 void BodyPanel::fill() {
   const SetBody* now = session_.figure();
-  const auto sizes = builtInSizes();
   const bool mesh = imported();
   int sizeRow = 0;
   QFormLayout::ItemRole role{};
@@ -312,8 +309,7 @@ void BodyPanel::fill() {
     imported_->setText(inWords(say("The imported body “{0}”. Its measures are taken from it and cannot be turned.",
                                    session_.snapshot().body->name())));
   if (now && !mesh) {
-    const auto size = std::find(sizes.begin(), sizes.end(), now->size);
-    size_->setCurrentIndex(size == sizes.end() ? 0 : static_cast<int>(size - sizes.begin()) + 1);
+    chooseSize(*size_, now->size);
     dressForm_->setChecked(now->form);
     sex_->setCurrentIndex(now->sex ? static_cast<int>(*now->sex) + 1 : 0);
   }

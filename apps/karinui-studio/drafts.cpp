@@ -3,7 +3,7 @@
 #include <QDate>
 #include <QStandardPaths>
 
-#include "karinui/body/measurements.h"
+#include "karinui/body/sizes.h"
 
 namespace karinui::studio {
 

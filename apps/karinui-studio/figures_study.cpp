@@ -10,6 +10,7 @@
 #include "fit_study.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/body/sizes.h"
 #include "karinui/design/glossary.h"
 #include "theme.h"
 

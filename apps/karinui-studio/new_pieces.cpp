@@ -13,6 +13,7 @@
 #include <memory>
 #include <numbers>
 
+#include "karinui/body/sizes.h"
 #include "karinui/design/block_numbers.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/glossary.h"
@@ -24,6 +25,7 @@
 #include "karinui/pattern/likeness.h"
 #include "karinui/session/fabric_numbers.h"
 #include "main_window.h"
+#include "size_box.h"
 #include "step_dialog.h"
 #include "theme.h"
 
@@ -401,8 +403,8 @@ void MainWindow::askNumbers(Operation operation) {
 namespace {
 
 // What is wrong with the formulas of a step on a figure that is not built yet; what only its body tells is left out.
-std::optional<Error> formulaTrouble(const Operation& operation, const QByteArray& size) {
-  const auto measures = builtInSize(std::string_view(size.data(), static_cast<std::size_t>(size.size())));
+std::optional<Error> formulaTrouble(const Operation& operation, std::string_view size) {
+  const auto measures = builtInSize(size);
   if (!measures) return measures.error();
   Document document;
   document.body.measurements = *measures;
@@ -429,9 +431,8 @@ void MainWindow::askBlock() {
   form->setSpacing(12);
   auto* size = new QComboBox;
   size->setObjectName("size");
-  for (const std::string_view s : builtInSizes())
-    size->addItem(inWords(termSaid(Term::Size, s).value_or(say("{0}", s))),
-                  QByteArray(s.data(), static_cast<int>(s.size())));
+  addSizes(*size);
+  chooseSize(*size, kUsualSize);
   form->addRow(asLabel(say("Figure")), size);
   const OperationHelp& help = helpOf(Operation(DraftBlock{}));
   auto fields = std::make_shared<std::vector<StepField>>();
@@ -446,7 +447,7 @@ void MainWindow::askBlock() {
       if (std::string value = field.value(); !value.empty()) texts.push_back({field.name, std::move(value)});
     auto block = parseOperation(lineOf(DraftBlock::kName, texts));
     if (!block) return block.error();
-    if (const auto why = formulaTrouble(*block, size->currentData().toByteArray())) return *why;
+    if (const auto why = formulaTrouble(*block, chosenSize(*size))) return *why;
     if (Done done = checkNumbers(std::get<DraftBlock>(*block)); !done) return done.error();
     return block;
   };
@@ -461,7 +462,7 @@ void MainWindow::askBlock() {
   const auto make = [this, dialog, size, wished, show] {
     const auto block = wished();
     if (!block) return show();
-    newGarment(size->currentData().toByteArray().toStdString(), {});
+    newGarment(chosenSize(*size), {});
     session_->perform(*block);
     dialog->accept();
   };

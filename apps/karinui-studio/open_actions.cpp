@@ -23,6 +23,7 @@
 #include "karinui/exchange/read_body.h"
 #include "main_window.h"
 #include "measures_file.h"
+#include "size_box.h"
 #include "start_page.h"
 #include "theme.h"
 
@@ -178,8 +179,8 @@ void MainWindow::askNew() {
   name->ensurePolished();
   name->setMinimumWidth(name->fontMetrics().horizontalAdvance(name->placeholderText()) + kFrame);
   auto* size = new QComboBox;
-  for (const std::string_view s : builtInSizes())
-    size->addItem(inWords(termSaid(Term::Size, s).value_or(say("{0}", s))));
+  addSizes(*size);
+  chooseSize(*size, kUsualSize);
   form->addRow(inWords(say("Name")), name);
   form->addRow(inWords(say("Figure")), size);
   auto* note = new QLabel(inWords(
@@ -196,8 +197,7 @@ void MainWindow::askNew() {
   connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
   if (dialog.exec() != QDialog::Accepted) return;
   const QString called = name->text().trimmed().replace('/', '-');
-  newGarment(std::string(builtInSizes()[static_cast<std::size_t>(size->currentIndex())]),
-             called.isEmpty() ? QString() : freshPath(called));
+  newGarment(chosenSize(*size), called.isEmpty() ? QString() : freshPath(called));
 }
 
 void MainWindow::askOpen() {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "karinui/base/number.h"
+#include "karinui/body/sizes.h"
 #include "karinui/design/formula.h"
 #include "length_box.h"
 #include "theme.h"

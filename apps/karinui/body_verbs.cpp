@@ -5,8 +5,11 @@
 #include "json_answers.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/body/sizes.h"
+#include "karinui/design/glossary.h"
 #include "karinui/design/script.h"
 #include "karinui/exchange/formats.h"
+#include "word_table.h"
 
 namespace karinui::app {
 
@@ -91,6 +94,30 @@ int runMeasure(Program& program, const MeasureOptions& options) {
   return kDone;
 }
 
+struct SizesOptions {};
+
+int runSizes(Program& program, const SizesOptions&) {
+  Json all = Json::array();
+  WordTable table;
+  const auto said = [&](const Message& words) { return program.console.said(words); };
+  table.row({said(say("Size")), "", said(say("Bust girth")), said(say("Waist girth")), said(say("Hip girth")),
+             said(say("Body height"))});
+  const auto centimetres = [](double metres) { return fixed(metres * 100, 1); };
+  for (const SizeSeries& series : sizeSeries())
+    for (const BuiltInSize& size : series.sizes) {
+      table.row({std::string(size.name), said(termSaid(Term::Size, size.name).value_or(say("{0}", size.label))),
+                 centimetres(size.bust), centimetres(size.waist), centimetres(size.hip), centimetres(size.height)});
+      all.push_back({{"name", size.name},
+                     {"sex", sexName(series.sex)},
+                     {"bust_girth", size.bust},
+                     {"waist_girth", size.waist},
+                     {"hip_girth", size.hip},
+                     {"height", size.height}});
+    }
+  program.console.answer({{"sizes", all}}, table.words(0));
+  return kDone;
+}
+
 }  // namespace
 
 void addBodyVerbs(Program& program) {
@@ -99,7 +126,8 @@ void addBodyVerbs(Program& program) {
 
   auto make = std::make_shared<MakeOptions>();
   CLI::App* verb = program.verb(*body, "make", help("Makes a mannequin from measurements"), make, runMake);
-  verb->add_option("--size", make->size, help("A built-in size: jis9ar, eu38, eu50, child110, child128, child146"));
+  verb->add_option("--size", make->size,
+                   help("A built-in size: jis9ar, eu38, eu50, child128 …; body sizes lists them"));
   verb->add_option("--measures", make->measures,
                    help(say("A file of measures: {0}, .json", listed(endingsRead({FileContent::Measures})))));
   verb->add_option("--set", make->set, help("Measurements: bust_girth=88cm …"));
@@ -116,6 +144,9 @@ void addBodyVerbs(Program& program) {
                  help(say("A file that the measures are written to: {0}", listed(measureEndingsWritten()))),
                  measureEndingsWritten());
   verb->add_flag("--wrap", measured->wrap, help("Close a scan's holes first"));
+
+  program.verb(*body, "sizes", help("Lists the built-in sizes, in centimetres"), std::make_shared<SizesOptions>(),
+               runSizes);
 }
 
 }  // namespace karinui::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "karinui/body/sizes.h"
 #include "karinui/design/glossary.h"
 #include "karinui/exchange/formats.h"
 #include "karinui/exchange/read_body.h"
@@ -37,8 +38,8 @@ Result<Measurements> readFigureMeasures(Program& program, const std::string& pat
 Result<SetBody> bodyOperation(OpenDocument& opened, const std::string& sizeOrFile, bool wrap) {
   SetBody chosen;
   const auto sizes = builtInSizes();
-  if (std::find(sizes.begin(), sizes.end(), sizeOrFile) != sizes.end()) {
-    chosen.size = sizeOrFile;
+  if (const std::string size = plainSize(sizeOrFile); std::find(sizes.begin(), sizes.end(), size) != sizes.end()) {
+    chosen.size = size;
     return chosen;
   }
   if (contentOf(sizeOrFile) == FileContent::Measures || endingOf(sizeOrFile) == "json") {  // no body is JSON

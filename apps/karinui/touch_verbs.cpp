@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
+#include "karinui/body/sizes.h"
 #include "karinui/devices/hd_stylus.h"
 #include "karinui/devices/inverse3.h"
 #include "karinui/devices/pose_source.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "body/plain_name.h"
 #include "karinui/base/near_names.h"
 #include "karinui/base/number.h"
 #include "karinui/body/measure_range.h"
@@ -80,17 +81,6 @@ constexpr auto keysWhere(Take take) {
   return std::pair{out, n};
 }
 
-// Letters and digits only, lower case: "waistGirth", "waist girth" and "waist_girth" are one name.
-std::string plain(std::string_view name) {
-  std::string out;
-  for (const char c : name)
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
-      out += c;
-    else if (c >= 'A' && c <= 'Z')
-      out += static_cast<char>(c - 'A' + 'a');
-  return out;
-}
-
 template <class Visit>
 void forNames(Visit visit) {
   for (const Name& name : kNames) {
@@ -112,11 +102,11 @@ const Name* find(std::string_view key) {
 }  // namespace
 
 Result<std::string> measurementKey(std::string_view anyName) {
-  const std::string wanted = plain(anyName.substr(0, 80));
+  const std::string wanted = plainName(anyName.substr(0, 80));
   std::string found;
   std::vector<std::pair<std::size_t, std::string_view>> near;
   forNames([&](std::string_view name, std::string_view key) {
-    const std::string known = plain(name);
+    const std::string known = plainName(name);
     if (known == wanted) found = key;
     near.emplace_back(edits(known, wanted), key);
   });
@@ -154,43 +144,6 @@ std::optional<Sex> sexNamed(std::string_view name) {
   for (const Sex sex : kSexes)
     if (sexName(sex) == name) return sex;
   return std::nullopt;
-}
-
-namespace {
-
-// JIS L 4005 9AR (waist of the twenties), German women's 38, European men's 50, children by their height.
-struct Size {
-  std::string_view name;
-  Sex sex;
-  double bust, waist, hip, height;
-};
-constexpr Size kSizes[] = {
-    {"jis9ar", Sex::Female, 0.83, 0.64, 0.91, 1.58},  {"eu38", Sex::Female, 0.88, 0.72, 0.97, 1.68},
-    {"eu50", Sex::Male, 1.00, 0.88, 1.02, 1.78},      {"child110", Sex::Child, 0.58, 0.54, 0.61, 1.10},
-    {"child128", Sex::Child, 0.65, 0.59, 0.70, 1.28}, {"child146", Sex::Child, 0.73, 0.64, 0.79, 1.46},
-};
-
-}  // namespace
-
-std::span<const std::string_view> builtInSizes() {
-  static constexpr auto kNames = [] {
-    std::array<std::string_view, std::size(kSizes)> names;
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = kSizes[i].name;
-    return names;
-  }();
-  return kNames;
-}
-
-Result<Measurements> builtInSize(std::string_view name) {
-  std::string names;
-  for (const Size& size : kSizes) {
-    if (size.name == plain(name))
-      return Measurements{
-          size.sex,
-          {{"bust_girth", size.bust}, {"waist_girth", size.waist}, {"hip_girth", size.hip}, {"height", size.height}}};
-    names += (names.empty() ? "" : ", ") + std::string(size.name);
-  }
-  return notFound(say("There is no size called \"{0}\". Sizes: {1}.", name.substr(0, 80), names));
 }
 
 Measurements withOwn(Measurements size, const std::map<std::string, double>& own) {

@@ -1,4 +1,5 @@
 #include "karinui/design/piece_label.h"
+#include "karinui/body/sizes.h"
 
 #include "karinui/design/glossary.h"
 #include "karinui/pattern/facing.h"

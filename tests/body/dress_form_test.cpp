@@ -3,6 +3,7 @@
 
 #include "karinui/body/body.h"
 #include "karinui/body/lines.h"
+#include "karinui/body/sizes.h"
 
 namespace karinui {
 namespace {

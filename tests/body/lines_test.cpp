@@ -1,4 +1,5 @@
 #include "karinui/body/lines.h"
+#include "karinui/body/sizes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

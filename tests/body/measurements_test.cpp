@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "karinui/body/body.h"
+#include "karinui/body/sizes.h"
 
 namespace karinui {
 namespace {
@@ -27,9 +28,29 @@ TEST(Measurements, AnUnknownNameListsNearOnes) {
 
 TEST(Measurements, BuiltInSizes) {
   for (const auto& size : builtInSizes()) EXPECT_TRUE(builtInSize(size));
+  for (const SizeSeries& series : sizeSeries()) {
+    bool usual = false;
+    for (std::size_t i = 0; i < series.sizes.size(); ++i) {
+      const BuiltInSize& size = series.sizes[i];
+      usual = usual || size.name == series.usual;
+      EXPECT_EQ(builtInSize(size.name)->sex, series.sex) << size.name;
+      EXPECT_EQ(plainSize(size.name), size.name);
+      if (i == 0) continue;
+      const BuiltInSize& smaller = series.sizes[i - 1];
+      EXPECT_TRUE(smaller.bust < size.bust && smaller.waist < size.waist && smaller.hip < size.hip &&
+                  smaller.height <= size.height)
+          << smaller.name << " before " << size.name;
+    }
+    EXPECT_TRUE(usual) << series.usual;
+  }
+  EXPECT_EQ(plainSize("EU 44 W"), "eu44w");
+  EXPECT_EQ(plainSize("my own"), "my own");
   EXPECT_DOUBLE_EQ(builtInSize("jis9ar")->value.at("waist_girth"), 0.64);
   EXPECT_EQ(builtInSize("eu50")->sex, Sex::Male);
-  EXPECT_FALSE(builtInSize("eu99"));
+  const auto none = builtInSize("EU 44");  // whose?
+  ASSERT_FALSE(none);
+  EXPECT_NE(text(none.error().what).find("eu44w"), std::string::npos) << text(none.error().what);
+  EXPECT_NE(text(none.error().what).find("eu44m"), std::string::npos);
 }
 
 TEST(Measurements, WhatNoBodyCanHaveIsRefused) {

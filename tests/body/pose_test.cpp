@@ -10,6 +10,7 @@
 #include "geometry/shapes.h"
 #include "karinui/base/number.h"
 #include "karinui/body/lines.h"
+#include "karinui/body/sizes.h"
 #include "karinui/body/skeleton.h"
 #include "karinui/geometry/section.h"
 

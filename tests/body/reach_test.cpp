@@ -1,6 +1,7 @@
 // Limbs taken in hand: the place follows the pointer on a sphere about its joint.
 #include "karinui/body/reach.h"
 #include "karinui/base/number.h"
+#include "karinui/body/sizes.h"
 
 #include <gtest/gtest.h>
 

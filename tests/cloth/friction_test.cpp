@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
+#include "karinui/body/sizes.h"
 #include "karinui/cloth/dynamics.h"
 
 namespace karinui::test {

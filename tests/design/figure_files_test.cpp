@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "karinui/body/sizes.h"
 #include "karinui/design/apply.h"
 
 namespace karinui {

@@ -1,5 +1,6 @@
 // Every identifier a person can see has a name in both languages.
 #include "karinui/design/glossary.h"
+#include "karinui/body/sizes.h"
 
 #include <gmock/gmock.h>
 

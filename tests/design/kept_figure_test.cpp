@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "design/workroom.h"
+#include "karinui/body/sizes.h"
 
 namespace karinui {
 namespace {

@@ -13,6 +13,7 @@
 #include "design/file/store.h"
 #include "design/pack.h"
 #include "design/workroom.h"
+#include "karinui/body/sizes.h"
 #include "karinui/design/dump.h"
 
 namespace karinui {

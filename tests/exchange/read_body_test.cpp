@@ -14,6 +14,7 @@
 #include "karinui/base/number.h"
 #include "karinui/body/body.h"
 #include "karinui/body/pose.h"
+#include "karinui/body/sizes.h"
 #include "karinui/body/skeleton.h"
 #include "karinui/exchange/read_print.h"
 #include "karinui/geometry/bvh.h"

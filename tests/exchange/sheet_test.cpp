@@ -7,6 +7,7 @@
 #include "exchange/sheet.h"
 #include "exchange/xml.h"
 #include "karinui/base/file.h"
+#include "karinui/body/sizes.h"
 #include "karinui/design/glossary.h"
 #include "karinui/exchange/drawing.h"
 #include "karinui/exchange/dxf.h"

@@ -12,7 +12,7 @@
 
 #include "board_images.h"
 #include "karinui/body/body.h"
-#include "karinui/body/measurements.h"
+#include "karinui/body/sizes.h"
 #include "karinui/design/script.h"
 #include "program.h"
 #include "recorder.h"
@@ -292,9 +292,11 @@ TEST(RoomBoards, FigureAndFabricAreChosenInTheAir) {
   press(at.hand, at.room, "More");
   choose(at.hand, at.room, "Figure");
   const SceneMenu panel = at.room.choice()->panel;
-  ASSERT_EQ(panel.buttons.size(), builtInSizes().size() + 1);  // and the dress form
-  EXPECT_TRUE(panel.buttons[0].chosen) << "jis9ar, which is worn";
-  at.hand.clickAt(at.room.placement().standToFitting(test::middleOf(panel, 1)));
+  const auto& series = sizeSeries().front().sizes;  // of the size that is worn
+  ASSERT_EQ(panel.buttons.size(),
+            series.size() + sizeSeries().size() - 1 + 1);  // the others' usual one, the dress form
+  EXPECT_TRUE(panel.buttons[2].chosen) << "jis9ar, which is worn";
+  at.hand.clickAt(at.room.placement().standToFitting(test::middleOf(panel, series.size())));
   const auto* body = std::get_if<SetBody>(&session.steps().back().operation);
   ASSERT_TRUE(body);
   EXPECT_EQ(body->size, "eu38");

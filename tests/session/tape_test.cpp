@@ -1,4 +1,5 @@
 #include "karinui/session/tape.h"
+#include "karinui/body/sizes.h"
 
 #include <gtest/gtest.h>
 

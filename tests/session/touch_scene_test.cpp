@@ -7,7 +7,7 @@
 #include "karinui/session/session.h"
 #include "karinui/session/touch_scene_of.h"
 
-#include "karinui/body/measurements.h"
+#include "karinui/body/sizes.h"
 #include "karinui/touch/evaluate.h"
 
 namespace karinui {

@@ -34,9 +34,6 @@ std::span<const std::string_view> measurementKeys();      // everything measure(
 std::span<const std::string_view> mannequinKeys();        // those a mannequin can be made to
 bool isAngle(std::string_view key);                       // radians instead of metres
 Message measureSaid(std::string_view key, double value);  // "88.0 cm", "12°"
-// "jis9ar", "eu38", "eu50", and by their height in centimetres "child110", "child128", "child146"
-Result<Measurements> builtInSize(std::string_view name);
-std::span<const std::string_view> builtInSizes();
 // A size on which some measures are a person's own. A belly of her own takes the place of the size's waist.
 Measurements withOwn(Measurements size, const std::map<std::string, double>& own);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "karinui/body/sizes.h"
 #include "karinui/design/formula.h"
 #include "karinui/design/glossary.h"
 #include "karinui/design/variables.h"

@@ -1,7 +1,32 @@
 // What measures, places on the body and sizes are called.
+#include <algorithm>
+
 #include "design/glossary/terms.h"
+#include "karinui/body/sizes.h"
 
 namespace karinui {
+
+namespace {
+
+Message sizeSaid(SizeSystem system, std::string_view label) {
+  switch (system) {
+    case SizeSystem::JisWomen:
+      return say("JIS {0} (women)", label);
+    case SizeSystem::EuWomen:
+      return say("EU {0} (women)", label);
+    case SizeSystem::EuMen:
+      return say("EU {0} (men)", label);
+    case SizeSystem::JisMen:
+      return say("JIS {0} (men)", label);
+    case SizeSystem::Misses:
+      return say("US misses' {0}", label);
+    case SizeSystem::Children:
+      return say("{0} (children)", label);
+  }
+  return {};
+}
+
+}  // namespace
 
 TermTable measureTerms() {
   static const std::vector<NamedTerm> all{
@@ -123,10 +148,14 @@ TermTable levelTerms() {
 }
 
 TermTable sizeTerms() {
-  static const std::vector<NamedTerm> all{
-      {"child110", say("110 (children)")}, {"child128", say("128 (children)")}, {"child146", say("146 (children)")},
-      {"eu38", say("EU 38 (women)")},      {"eu50", say("EU 50 (men)")},        {"jis9ar", say("JIS 9AR (women)")},
-  };
+  static const std::vector<NamedTerm> all = [] {
+    std::vector<NamedTerm> terms;
+    for (const SizeSeries& series : sizeSeries())
+      for (const BuiltInSize& size : series.sizes) terms.push_back({size.name, sizeSaid(series.system, size.label)});
+    std::sort(terms.begin(), terms.end(),
+              [](const NamedTerm& a, const NamedTerm& b) { return a.identifier < b.identifier; });
+    return terms;
+  }();
   return all;
 }
 

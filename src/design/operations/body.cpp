@@ -1,4 +1,5 @@
 #include "design/operations/operations.h"
+#include "karinui/body/sizes.h"
 #include "karinui/design/variables.h"
 
 namespace karinui {
@@ -20,7 +21,7 @@ Result<Measurements> stated(const SetBody& op) {
 
 }  // namespace
 
-Done resolve(const Document&, SetBody& op, Context&) {
+Done resolve(const Document&, SetBody& op, Context& context) {
   if (op.size.empty() && op.set.empty() && op.mesh.empty()) {
     return refused(say("Say which body: size=jis9ar, set=\"bust_girth=88cm; …\", or an imported mesh."));
   }
@@ -30,6 +31,7 @@ Done resolve(const Document&, SetBody& op, Context&) {
     return refused(say("A body is either an imported mesh or made from measurements, not both."));
   }
   if (Done done = workOutStated(op); !done) return done;
+  if (!op.size.empty() && !context.recorded) op.size = plainSize(op.size);
   std::map<std::string, Stated> once;
   for (const Stated& s : op.set) {
     auto key = measurementKey(s.key);

@@ -26,8 +26,8 @@ struct SetBody {
   std::string mesh;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    visit("size", self.size, "a built-in size to start from: jis9ar, eu38, eu50, child110, child128, child146",
-          kOptional);
+    visit("size", self.size,
+          "a built-in size to start from: jis9ar, eu38, eu50, child128 …; karinui body sizes lists them", kOptional);
     visit("sex", self.sex, "female, male or child: which family of shapes (a size brings its own)", kOptional);
     visit("set", self.set, "measurements: bust_girth=88cm; waist_girth=70cm, or formulas of each other", kOptional);
     visit("form", self.form, "yes: a dress form on a stand, without head, arms and legs", kOptional);
