@@ -66,6 +66,9 @@ Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live,
   return levels;
 }
 
+// Without two coarse levels none would be left to notice a limb through the cloth.
+bool hasWidestCells(const Document& document) { return kWidest * document.settings.spacing <= kCoarsest; }
+
 // The floor a figure stands on, in its own pose; a mesh without feet, as of a trunk alone, stands on none.
 std::optional<double> floorOf(const Body& body, const Document& document) {
   if (!document.body.mesh.empty() && !body.landmarks().contains("ankle_left")) return std::nullopt;
@@ -254,6 +257,7 @@ Result<DrapeOutcome> drapedOnce(const Document& document, const DrapePieces& dra
   if (loop && loop->tight()) settings.sewnThinnerBy = sewnThinnerBy(*loop);
   settings.continueAfterRest = continueAfterRest;
   settings.giveUpCrossed = context.giveUpCrossed;
+  settings.giveUpThroughBody = context.giveUpThroughBody && hasWidestCells(document);
   settings.fromCoarsest = context.fromCoarsest;
   SettleWatcher watcher;
   if (onlooker)
@@ -269,21 +273,22 @@ Result<DrapeOutcome> drapedOnce(const Document& document, const DrapePieces& dra
 }  // namespace
 
 bool finerMayHelp(const Document& document, const SettleReport& report) {
-  // Without two coarse levels none would be left to notice the limb.
-  return !report.settled && report.throughBody && kWidest * document.settings.spacing <= kCoarsest;
+  return !report.settled && report.throughBody && hasWidestCells(document);
 }
 
 Result<DrapeOutcome> drapeOnBody(const Document& document, const DrapePieces& drape, Context& context,
                                  const DrapeOnlooker& onlooker, bool continueAfterRest) {
-  auto outcome = drapedOnce(document, drape, context, onlooker, continueAfterRest);
   // A record says itself whether it began anew.
-  if (!outcome || context.recorded || drape.finer || drape.stop > 0 || !finerMayHelp(document, outcome->report))
-    return outcome;
+  const bool newly = !context.recorded && !drape.finer && drape.stop == 0;
+  Context first = context;
+  first.giveUpThroughBody = context.giveUpThroughBody || newly;
+  auto outcome = drapedOnce(document, drape, first, onlooker, continueAfterRest);
+  if (!outcome || !newly || !finerMayHelp(document, outcome->report)) return outcome;
   DrapePieces again = drape;
   again.finer = true;
   auto finer = drapedOnce(document, again, context, onlooker, continueAfterRest);
   if (!finer) return finer.error();
-  if (!finer->report.settled) return outcome;
+  if (!finer->report.settled) return drapedOnce(document, drape, context, onlooker, continueAfterRest);
   finer->report.finer = true;
   finer->report.cpuSeconds += outcome->report.cpuSeconds, finer->report.wallSeconds += outcome->report.wallSeconds;
   return finer;

@@ -36,6 +36,9 @@ struct SettleSettings {
   // reports `crossed`, where a coarse level leaves cloth through cloth. The second begins on the coarsest level even if
   // most of the cloth stands formed and sewn: what is new is to be sewn up about the rest.
   bool giveUpCrossed = false, fromCoarsest = false;
+  // For a drape that may be done once more without its coarsest level: given up, and reports `throughBody`, where a
+  // coarse level leaves a limb through the cloth, even if it rests so.
+  bool giveUpThroughBody = false;
   // A settle that is stopped carries the cloth to the finest level as it is, and reports stoppedAfter. With the same
   // number in stopAfter it stops at the same place, bit for bit.
   std::size_t stopAfter = 0;    // steps, counted over all levels; 0: not before it rests

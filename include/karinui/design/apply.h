@@ -107,7 +107,7 @@ struct Context {
   // looks.
   PoseOnlooker onPose = {};
   // How a drape goes about it, as SettleSettings has it: asked for by drapes in stages.
-  bool giveUpCrossed = false, fromCoarsest = false;
+  bool giveUpCrossed = false, fromCoarsest = false, giveUpThroughBody = false;
 };
 
 Result<BodyPtr> bodyOf(const Document& document, Context& context);  // refused: no body chosen yet

@@ -74,8 +74,9 @@ Result<DrapeOutcome> drapedNow(const Document& document, const DrapePieces& op, 
 }
 
 // Nothing where that does not go: a garment is too small, or what is to be laid in does not lie by the rest.
+// `finerIfThrough`: once more without the widest cells, where these sew something up with a limb through it.
 std::optional<Result<DrapeOutcome>> inStages(const Document& before, const DrapePieces& op,
-                                             const std::vector<Stage>& stages, Context& context) {
+                                             const std::vector<Stage>& stages, Context& context, bool finerIfThrough) {
   const auto body = bodyOf(before, context);
   if (!body) return body.error();
   const std::vector<double> until = sharesOf(before, stages);
@@ -101,16 +102,18 @@ std::optional<Result<DrapeOutcome>> inStages(const Document& before, const Drape
                    context.drape,   context.pull, context.advise, context.stop};
     staged.recorded = true;  // whether cells are finer is decided for all stages together
     staged.giveUpCrossed = context.giveUpCrossed && k == 0;
+    staged.giveUpThroughBody = finerIfThrough;
     staged.fromCoarsest = k > 0 && !stage.inside;
     auto outcome = drapedNow(*part, own, staged);
     if (!outcome) return outcome;
     SettleReport& report = outcome->report;
     const bool stopped = report.stoppedAfter > 0;
     if (report.crossed) return std::nullopt;
-    if (!context.recorded && !op.finer && !stopped && finerMayHelp(before, report)) {
+    if (finerIfThrough && !stopped && finerMayHelp(before, report)) {
       DrapePieces again = op;
       again.finer = true;
-      return inStages(before, again, stages, context);
+      auto finer = inStages(before, again, stages, context, false);
+      return finer && *finer && (*finer)->report.settled ? finer : inStages(before, op, stages, context, false);
     }
     if (!report.settled && !stopped && !last && (beforeInside || report.steps == 0)) return std::nullopt;
     now = adopted(std::move(now), *outcome);
@@ -141,7 +144,7 @@ std::optional<Result<DrapeOutcome>> attempted(const Document& before, const Drap
   const std::vector<Stage> stages = stagesOf(before, way);
   Context own = context;
   own.giveUpCrossed = giveUpCrossed;
-  if (stages.size() > 1) return inStages(before, way, stages, own);
+  if (stages.size() > 1) return inStages(before, way, stages, own, !context.recorded && !way.finer && way.stop == 0);
   if (way.dressed || way.insideLast) return std::nullopt;
   auto outcome = drapedNow(before, way, own);
   if (outcome && outcome->report.crossed) return std::nullopt;
