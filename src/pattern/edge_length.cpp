@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "karinui/base/number.h"
 #include "words.h"
@@ -12,6 +13,8 @@ namespace {
 constexpr double kEdgeTurns = 10 * kDegree;       // that the edge may turn for its neighbour's sake
 constexpr double kNeighbourTurns = 20 * kDegree;  // that the neighbour may turn itself
 constexpr double kOnAxis = 2e-5;                  // metres
+constexpr double kMostTurned = 15 * kDegree;      // that an end turns to keep its angle
+constexpr double kLeastBeside = 2e-3;             // metres: that an edge beside it keeps
 
 // Where an end may go: the places at one distance from a place, or on a line.
 struct Locus {
@@ -152,6 +155,33 @@ class MovedEnd {
     return checked(std::move(now));
   }
 
+  Result<Outline> along(double by) const {
+    const Edge &edge = outline_.edges[k_], &next = outline_.edges[next_];
+    if (slides_ || next_ == k_ || (symmetry_ && symmetry_->partner[k_] == next_))
+      return refused(say("An end of {0} lies on the centre line, and cannot go along the edge beside it.", edge.name));
+    const bool both = symmetry_ && symmetry_->partner[next_] == next_;  // its ends both go
+    const double whole = next.curve.length();
+    if (by > (both ? whole / 2 : whole) - kLeastBeside)
+      return refused(
+          say("{0} is {1} mm long: the end of {2} cannot go so far along it.", next.name, inMm(whole), edge.name));
+    Curve way = end_ ? next.curve : next.curve.reversed();  // it begins at the end that goes
+    if (by >= 0) {
+      way = way.part(way.parameterAt(by), both ? way.parameterAt(whole - by) : 1);
+    } else {
+      const Flat step = endTangent(way, false) * by, other = both ? symmetry_->imageOf(step) : Flat{};
+      follow(way, true, step), follow(way, false, other);
+      way.start += step, way.end += other;
+    }
+    const Flat there = way.start;
+    Outline now = outline_;
+    const Flat stays = across_ ? symmetry_->image(there) : stays_;
+    now.edges[k_].curve = end_ ? between(edge.curve, stays, there) : between(edge.curve, there, stays);
+    now.edges[next_].curve = end_ ? way : way.reversed();
+    if (symmetry_) now = onBothHalves(outline_, std::move(now), *symmetry_);
+    for (std::size_t e = 0; e < n_; ++e) now.edges[e].curve.end = now.edges[(e + 1) % n_].curve.start;  // to the bit
+    return checked(std::move(now));
+  }
+
   bool slides() const { return slides_; }
   bool canSlide() const {
     bool keeps = false;
@@ -215,6 +245,44 @@ Result<Outline> withLength(const Outline& outline, const LengthChange& change, c
     return moved(outline, across || change.keep == KeptEnd::Start, change.to);
   const auto half = moved(outline, true, (was + change.to) / 2);
   return half ? moved(*half, false, change.to) : half;
+}
+
+Result<Outline> withEndAlong(const Outline& outline, std::string_view edge, KeptEnd keep, double by,
+                             const PaperSymmetry* symmetry) {
+  const auto k = outline.find(edge);
+  if (!k) return notFound(say("The outline has no edge {0}.", edge));
+  const bool across = symmetry && symmetry->partner[*k] == *k;
+  const auto moved = [&](const Outline& from, bool end) { return MovedEnd(from, *k, end, symmetry).along(by); };
+  if (across || keep != KeptEnd::Middle) return moved(outline, across || keep == KeptEnd::Start);
+  const auto half = moved(outline, true);
+  return half ? moved(*half, false) : half;
+}
+
+Result<Outline> withAnglesOf(const Outline& was, Outline now, std::string_view edge, const PaperSymmetry* symmetry) {
+  const auto k = now.find(edge);
+  if (!k || was.edges.size() != now.edges.size()) return notFound(say("The outline has no edge {0}.", edge));
+  Curve& curve = now.edges[*k].curve;
+  if (curve.kind != Curve::Kind::Cubic) return now;
+  const std::size_t n = now.edges.size(), before = (*k + n - 1) % n, after = (*k + 1) % n;
+  const Outline as = now;
+  const auto away = [&](const Outline& outline, bool atEnd) {  // of the edge, from the one beside it
+    const Curve &own = outline.edges[*k].curve, &beside = outline.edges[atEnd ? after : before].curve;
+    return angleFrom(endTangent(beside, !atEnd), endTangent(own, atEnd));
+  };
+  for (const bool atEnd : {false, true}) {
+    const double turn = std::remainder(away(was, atEnd) - away(as, atEnd), 2 * std::numbers::pi);
+    if (std::fabs(turn) > kMostTurned) continue;
+    Flat& control = atEnd ? curve.control2 : curve.control1;
+    const Flat about = atEnd ? curve.end : curve.start;
+    control = Curve::line(control, control).rotated(about, turn).start;
+  }
+  if (symmetry)
+    if (const auto other = symmetry->partner[*k]; other && *other != *k) {
+      Curve image = symmetry->image(curve).reversed();
+      image.start = now.edges[*other].curve.start, image.end = now.edges[*other].curve.end;
+      now.edges[*other].curve = std::move(image);
+    }
+  return checked(std::move(now));
 }
 
 }  // namespace karinui

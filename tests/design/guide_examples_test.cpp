@@ -95,6 +95,8 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
        "place piece=front at=torso:armpit@0 point=\"0,38cm\"\nplace piece=back at=torso:armpit@0.5 point=\"0,38cm\"\n"
        "sew a=front.side_left b=back.side_right\nsew a=front.side_right b=back.side_left\n"},
       {"pivot dart=front.dart", "body size=eu38\nblock kind=bodice\n"},
+      {"shift_dart dart=skirt_front", kSkirt},
+      {"lengthen edges=", kShirt},
       {"cut piece=skirt_front", kSkirt},
       {"spread from=skirt.hem", kTop + kPieces},
       {"fair edges=\"sleeve.cap_back",

@@ -134,6 +134,7 @@ struct Dice {
     for (std::uint8_t* part : {&v.red, &v.green, &v.blue}) *part = static_cast<std::uint8_t>(below(256));
   }
   void fill(SetLength::Neighbours& v) { v = static_cast<SetLength::Neighbours>(below(2)); }
+  void fill(Lengthen::Beside& v) { v = static_cast<Lengthen::Beside>(below(3)); }
   void fill(Fabric::Law& v) { v = static_cast<Fabric::Law>(below(2)); }
   void fill(Settings::Collider& v) { v = static_cast<Settings::Collider>(below(2)); }
   template <class T>

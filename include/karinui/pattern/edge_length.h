@@ -1,6 +1,7 @@
 #pragma once
 // An edge made longer or shorter to a typed length. Pure; any thread. Metres on paper.
 #include <string>
+#include <string_view>
 
 #include "karinui/pattern/symmetry.h"
 
@@ -24,6 +25,17 @@ struct LengthChange {
 // a partner there): an end on the axis slides along it, an edge across the axis is changed in the middle. Refuses what
 // cannot be and outlines that would cross themselves.
 Result<Outline> withLength(const Outline& outline, const LengthChange& change, const PaperSymmetry* symmetry);
+
+// The outline in which the end of the edge that does not stay (Middle: both ends) has gone along the edge beside it by
+// a length, that one becoming as much shorter; straight on and longer where the length is negative. The edge's shape is
+// scaled and turned with it. Refuses an end on the axis, where both halves change, and an edge beside it that is too
+// short.
+Result<Outline> withEndAlong(const Outline& outline, std::string_view edge, KeptEnd keep, double by,
+                             const PaperSymmetry* symmetry);
+
+// The outline in which a curved edge meets the edges beside it at the angles at which it met them in `was`, so that a
+// line which went on smoothly over a seam still does. Its length becomes a little other. Straight edges and arcs stay.
+Result<Outline> withAnglesOf(const Outline& was, Outline now, std::string_view edge, const PaperSymmetry* symmetry);
 
 // Whether that end of the edge could be the one that moves.
 bool canMoveEnd(const Outline& outline, std::size_t edge, bool end, const PaperSymmetry* symmetry);

@@ -68,6 +68,8 @@ constexpr Words<SetLength::Keep, 4> kKept{{{{"auto", SetLength::Keep::Auto},
                                             {"middle", SetLength::Keep::Middle}}}};
 constexpr Words<SetLength::Neighbours, 2> kNeighbours{
     {{{"keep", SetLength::Neighbours::Keep}, {"follow", SetLength::Neighbours::Follow}}}};
+constexpr Words<Lengthen::Beside, 3> kBeside{
+    {{{"slide", Lengthen::Beside::Along}, {"keep", Lengthen::Beside::Keep}, {"follow", Lengthen::Beside::Follow}}}};
 constexpr Words<DraftBlock::Kind, 7> kBlocks{{{{"bodice", DraftBlock::Kind::Bodice},
                                                {"sleeve", DraftBlock::Kind::Sleeve},
                                                {"skirt", DraftBlock::Kind::Skirt},
@@ -372,6 +374,8 @@ std::string writeValue(const SetLength::Keep& value) { return kKept.write(value)
 Done readValue(std::string_view text, SetLength::Keep& value) { return kKept.read(text, value); }
 std::string writeValue(const SetLength::Neighbours& value) { return kNeighbours.write(value); }
 Done readValue(std::string_view text, SetLength::Neighbours& value) { return kNeighbours.read(text, value); }
+std::string writeValue(const Lengthen::Beside& value) { return kBeside.write(value); }
+Done readValue(std::string_view text, Lengthen::Beside& value) { return kBeside.read(text, value); }
 std::string writeValue(const DraftBlock::Worn& value) { return kWorn.write(value); }
 Done readValue(std::string_view text, DraftBlock::Worn& value) { return kWorn.read(text, value); }
 std::string writeValue(const DraftBlock::Kind& value) { return kBlocks.write(value); }

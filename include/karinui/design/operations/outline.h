@@ -381,6 +381,33 @@ struct SetLength {
   bool operator==(const SetLength&) const = default;
 };
 
+// lengthen edges="front.armhole back.armhole_left" by=15mm
+struct Lengthen {
+  static constexpr std::string_view kName = "lengthen";
+  static constexpr std::string_view kHelp =
+      "Makes a run of edges longer or shorter by so much, and what it is sewn to by as much: an armhole with its cap.";
+  static constexpr bool kDisturbsDrape = true;
+  std::vector<EdgeRef> edges;
+  Length by;
+  enum class Beside { Along, Keep, Follow } beside = Beside::Along;
+  bool partners = true;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("edges", self.edges, "the edges; of two that are each other's mirror image one is meant", kNeeded);
+    visit("by", self.by, "by how much they become longer together; less than nothing: shorter", kNeeded);
+    visit("beside", self.beside,
+          "the edges beside the ends that move: slide (an end goes along the edge beside it, all as far: an armhole "
+          "deeper down the side), keep (their lengths where they can: an armhole out to the side), follow (they "
+          "stretch)",
+          kOptional);
+    visit("partners", self.partners,
+          "what they are sewn to becomes longer or shorter by as much, so that each seam keeps its ease", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const Lengthen&) const = default;
+};
+
 // takein edges=front.side_left by=1cm        takein edges="front.side_left, back.side_left" by=-5mm partners=no
 // takein edges=front.side_left by=1cm at=0.6
 struct TakeIn {
@@ -424,7 +451,8 @@ struct TakeIn {
   bool operator==(const TakeIn&) const = default;
 };
 
-using OutlineOperations = OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, AddDoubleDart, PivotDart,
-                                        MergePieces, AddPleat, SetLength, TakeIn, TrueUp, FairEdges, SlashAndSpread>;
+using OutlineOperations =
+    OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, AddDoubleDart, PivotDart, MergePieces,
+                  AddPleat, SetLength, Lengthen, TakeIn, TrueUp, FairEdges, SlashAndSpread>;
 
 }  // namespace karinui
