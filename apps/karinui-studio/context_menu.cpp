@@ -25,6 +25,7 @@ namespace {
 
 constexpr double kSkirtDeep = 0.5;  // metres, first written in the box
 constexpr double kDartDeep = 0.1;   // metres, as the board "Garment" offers it
+constexpr double kShifted = 0.02;   // metres: that a dart is moved along its edge, as first offered
 constexpr double kApart = 0.1;      // of an edge: the ends of a strap that begins and ends on it
 
 // Qt leaves what an entry says at the foot when the keys go on to one that says nothing, and when that is chosen.
@@ -391,6 +392,25 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     pivot.dart = {PieceRef(near.piece), edges[other.to].name};
     pivot.to = ref, pivot.at = share;
     offer(menu, say("Move {0} there", nameSaid(edges[other.to].name)), pivot);
+  }
+  for (const PaperDart& own : dartsOf(session_->snapshot().document.pattern)) {
+    const auto& edges = piece->outline.edges;
+    const std::size_t n = edges.size();
+    if (own.piece != near.piece || (edges[own.to].name != near.edge && edges[own.back].name != near.edge)) continue;
+    for (const std::size_t beyond : {(own.to + n - 2) % n, (own.back + 2) % n}) {
+      ShiftDart shift;
+      shift.dart = {PieceRef(near.piece), edges[own.to].name};
+      shift.by = {kShifted};
+      shift.towards = edges[beyond].name;
+      const auto symmetry = symmetryOf(piece->outline);
+      const Flat end = edges[beyond == (own.to + n - 2) % n ? (own.to + n - 1) % n : beyond].curve.start;
+      const bool centre = symmetry && distance(symmetry->image(end), end) < 1e-5;
+      offer(menu,
+            centre ? say("Move the dart along its edge towards the centre…")
+                   : say("Move the dart along its edge towards {0}…",
+                         edgeNameSaid(session_->snapshot().document, *piece, shift.towards)),
+            [this, shift] { askNumbers(shift); });
+    }
   }
   const Document& document = session_->snapshot().document;
   if (led && led->piece == near.piece && led->edge != near.edge)

@@ -113,6 +113,12 @@ Result<DoubleDartedPiece> addDoubleDart(const Piece& piece, Flat from, Flat to, 
 // Refuses legs that differ by more than 2 mm, and a cut that leaves the piece.
 Result<EditedPiece> pivotDart(const Piece& piece, std::string_view leg, std::string_view edge, double fraction);
 
+// Moves a dart, whose first side is the edge `leg`, along the edge it opens at, by a length in the outline's direction:
+// its sides keep length and angle, and the edge on both its sides keeps its length together. A drill hole at its point
+// goes with it, all else stays where it is on the cloth. The form is left as it is. Refuses a dart at a corner, and one
+// that would go beyond the edge.
+Result<EditedPiece> shiftDart(const Piece& piece, std::string_view leg, double by);
+
 // Lays another piece against a piece, edge to edge, and makes one paper of both: the edges of both runs (whole edges,
 // each going on where the one before ends) go, and so do their notches. Holes, marks and internal lines of the other
 // come along; what would have a name twice gets the next free one. The form is left as it is. `edges` tells what became

@@ -184,6 +184,26 @@ struct PivotDart {
   bool operator==(const PivotDart&) const = default;
 };
 
+// shift_dart dart=front.dart by=2cm
+struct ShiftDart {
+  static constexpr std::string_view kName = "shift_dart";
+  static constexpr std::string_view kHelp =
+      "Moves a dart along its edge as it is: its sides keep length and angle, the edge its length.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef dart;
+  Length by;
+  std::string towards;
+  Choice symmetric = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("dart", self.dart, "one of the dart's two sides", kNeeded);
+    visit("by", self.by, "how far; without towards= as the outline runs, less than nothing the other way", kNeeded);
+    visit("towards", self.towards, "the edge towards which it goes, on either side of it", kOptional);
+    visit("symmetric", self.symmetric, kBothHalvesHelp, kOptional);
+  }
+  bool operator==(const ShiftDart&) const = default;
+};
+
 // merge a=yoke.dart b=yoke_2.dart_2
 struct MergePieces {
   static constexpr std::string_view kName = "merge";
@@ -452,7 +472,7 @@ struct TakeIn {
 };
 
 using OutlineOperations =
-    OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, AddDoubleDart, PivotDart, MergePieces,
-                  AddPleat, SetLength, Lengthen, TakeIn, TrueUp, FairEdges, SlashAndSpread>;
+    OperationList<CutPiece, ReshapePiece, SplitEdge, JoinEdges, AddDart, AddDoubleDart, PivotDart, ShiftDart,
+                  MergePieces, AddPleat, SetLength, Lengthen, TakeIn, TrueUp, FairEdges, SlashAndSpread>;
 
 }  // namespace karinui
