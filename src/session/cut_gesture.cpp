@@ -20,6 +20,7 @@ class CutGesture : public Gesture {
   GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
+        hover(sample, hit, context);
         return {};
       case PointerSample::Phase::Press:
         *this = CutGesture();
@@ -61,18 +62,12 @@ class CutGesture : public Gesture {
 
   Preview preview(const GestureContext& context) const override {
     Preview shown;
+    if (middle_ && on_) showMiddle(shown, context, on_, *middle_);
     showOnPaper(shown, context, piece_, line_, will_ ? kGood : kBad);
     if (will_ && !alone_) showOnCopies(shown, context, piece_, line_);
     return shown;
   }
-  Message hint() const override {
-    if (!down_ || !piece_) return info(Command::Cut).hint;
-    if (will_)
-      return parts_ > 2   ? say("Let go to cut the piece into {0}.", parts_)
-             : parts_ > 1 ? say("Let go to cut the piece in two.")
-                          : say("Let go to cut a slit.");
-    return why_ ? *why_ : info(Command::Cut).hint;
-  }
+  Message hint() const override { return middle_ ? say("{0} {1}", middle_->said(), usualHint()) : usualHint(); }
   bool begun() const override { return down_; }
   void addTo(Handling& handling) const override {
     if (down_ && !left_) handling.cut = piece_;
@@ -80,6 +75,23 @@ class CutGesture : public Gesture {
   KeyStops keyStops() const override { return KeyStops::Corners; }
 
  private:
+  Message usualHint() const {
+    if (!down_ || !piece_) return info(Command::Cut).hint;
+    if (will_)
+      return parts_ > 2   ? say("Let go to cut the piece into {0}.", parts_)
+             : parts_ > 1 ? say("Let go to cut the piece in two.")
+                          : say("Let go to cut a slit.");
+    return why_ ? *why_ : info(Command::Cut).hint;
+  }
+  void hover(const PointerSample& sample, const Hit& hit, const GestureContext& context) {
+    middle_.reset(), on_ = hit.piece;
+    const Piece* piece = context.snapshot->document.find(hit.piece);
+    if (!piece) return;
+    const bool table = sample.where == PointerSample::Where::Table;
+    if (!table && hit.on != Hit::On::Cloth) return;
+    middle_ =
+        middleNear(*piece, table ? sample.place - context.table->at(hit.piece) : hit.paper, nearMiddle(sample, hit));
+  }
   void note(const PointerSample& sample, const Hit& hit, const GestureContext& context) {
     std::optional<Flat> paper;
     const bool table = sample.where == PointerSample::Where::Table;
@@ -91,6 +103,14 @@ class CutGesture : public Gesture {
       paper = sample.place - lies;
     } else if (hit.on == Hit::On::Cloth && hit.piece == piece_) {
       paper = hit.paper;
+    }
+    middle_.reset(), on_ = piece_;
+    if (const Piece* piece = paper ? context.snapshot->document.find(piece_) : nullptr)
+      middle_ = middleNear(*piece, *paper, nearMiddle(sample, hit));
+    if (paper && !left_) {
+      if (noted_.empty()) from_ = middle_, alongAxis_ = true;
+      alongAxis_ = alongAxis_ && middle_ && middle_->onAxis;
+      until_ = middle_;
     }
     if (!paper) {
       if (piece_) left_ = true;  // ran off; what follows elsewhere does not count
@@ -140,9 +160,38 @@ class CutGesture : public Gesture {
     if (straight_) line = {line.front(), line.back()};
     std::vector<Flat> kept;
     for (const std::size_t i : mattering<Flat>(line, kCutMiss)) kept.push_back(tenth(line[i]));
-    return kept;
+    return throughMiddles(std::move(kept));
   }
 
+  // Begun or ended at a middle, the line goes exactly through it, and beyond the outline where that is on it.
+  std::vector<Flat> throughMiddles(std::vector<Flat> line) const {
+    const std::optional<MiddleSnap> ends[] = {came_ ? std::nullopt : from_, left_ ? std::nullopt : until_};
+    if (straight_ || alongAxis_) line = {line.front(), line.back()};
+    for (std::size_t k = 0; k < 2; ++k, std::reverse(line.begin(), line.end())) {
+      if (!ends[k]) {
+        const auto &own = k == 0 ? from_ : until_, &other = k == 0 ? until_ : from_;
+        if (alongAxis_ && own && other)  // run off along the middle line
+          line.front() = own->place + normalized(own->place - other->place) * distance(line.front(), own->place);
+        continue;
+      }
+      const Flat place = ends[k]->place;
+      const double near = distance(line.front(), place) + kStep;
+      while (line.size() > 2 && distance(line[1], place) <= near) line.erase(line.begin());
+      line.front() = place;
+    }
+    const std::vector<Flat> through = line;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (ends[k] && !ends[k]->edge.empty()) {
+        const Flat place = k == 0 ? through.front() : through.back();
+        const Flat next = k == 0 ? through[1] : through[through.size() - 2];
+        (k == 0 ? line.front() : line.back()) = exact(place + normalized(place - next) * kBrink);
+      }
+    return line;
+  }
+
+  std::optional<MiddleSnap> middle_, from_, until_;  // where the hand is, where it began, where it was last
+  PieceId on_;                                       // of which piece
+  bool alongAxis_ = false;                           // all of the line keeps to the middle line
   bool down_ = false, came_ = false, left_ = false, straight_ = false, alone_ = false, will_ = false;
   std::size_t parts_ = 0;
   PieceId piece_;

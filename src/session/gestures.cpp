@@ -6,6 +6,7 @@
 #include "karinui/base/number.h"
 #include "karinui/base/result.h"
 #include "karinui/pattern/likeness.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -36,8 +37,51 @@ std::vector<PieceId> copiesOf(const Document& document, PieceId id) {
   return all;
 }
 
+Flat exact(Flat place) {
+  constexpr double kSame = 1e-6, kFine = 1e-7;  // metres
+  if (const Flat round = tenth(place); distance(round, place) < kSame) return round;
+  return {std::round(place.u / kFine) * kFine, std::round(place.v / kFine) * kFine};
+}
+
 double roundShare(double share, double near) {
   return std::fabs(share - 0.5) < near ? 0.5 : std::clamp(std::round(share * 1000) / 1000, 0.001, 0.999);
+}
+
+Message MiddleSnap::said() const {
+  if (onAxis) return say("Here is the middle line of the piece.");
+  return say("Here is the middle of {0}.", edge);
+}
+
+std::optional<MiddleSnap> middleNear(const Piece& piece, Flat paper, double near) {
+  std::optional<MiddleSnap> found;
+  double nearest = near;
+  const auto take = [&](Flat place, const std::string& edge, bool onAxis) {
+    if (distance(place, paper) > nearest || (found && distance(place, paper) == nearest)) return;
+    nearest = distance(place, paper), found = MiddleSnap{exact(place), edge, onAxis};
+  };
+  const auto symmetry = symmetryOf(piece.outline);
+  for (std::size_t k = 0; k < piece.outline.edges.size(); ++k) {
+    const Edge& edge = piece.outline.edges[k];
+    const bool across = symmetry && symmetry->partner[k] == k;
+    const auto onAxis = [&](Flat place) { return std::fabs(cross(symmetry->axis, place - symmetry->through)) < 1e-5; };
+    if (symmetry && onAxis(edge.curve.start)) take(edge.curve.start, edge.name, true);
+    take(edge.curve.atFraction(0.5), edge.name, across);
+  }
+  if (found || !symmetry) return found;
+  const Flat foot = symmetry->through + symmetry->axis * dot(paper - symmetry->through, symmetry->axis);
+  take(foot, {}, true);
+  return found;
+}
+
+double nearMiddle(const PointerSample& sample, const Hit& hit) {
+  constexpr double kShare = 0.6;  // of the reach
+  const bool metres = sample.where == PointerSample::Where::Table || sample.tip;
+  return kShare * sample.reach * (metres ? 1 : hit.along);
+}
+
+void showMiddle(Preview& preview, const GestureContext& context, PieceId piece, const MiddleSnap& snap) {
+  preview.table.dots.push_back(snap.place + context.table->at(piece));
+  if (const auto place = spaceOf(*context.snapshot, piece, snap.place)) preview.space.dots.push_back(*place);
 }
 
 Vec3 onFacing(const PointerSample& sample, Vec3 through) {

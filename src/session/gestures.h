@@ -47,8 +47,26 @@ double tenth(double metres);
 Flat tenth(Flat place);
 Vec3 tenth(Vec3 step);
 
+// The same where the place is that but for rounding; else to a ten-thousandth of a millimetre, as what has snapped to a
+// line stays on it.
+Flat exact(Flat place);
+
 // A share of an edge's length in thousandths; the middle where it is within `near` of it.
 double roundShare(double share, double near);
+
+// The middle of an edge near a place of a piece's paper, else the middle line of a symmetric piece: there a place is
+// meant to lie exactly.
+struct MiddleSnap {
+  Flat place;
+  std::string edge;      // the edge whose middle it is, or on which the middle line ends; empty: within the piece
+  bool onAxis = false;   // it lies on the middle line
+  Message said() const;  // that it is so
+};
+std::optional<MiddleSnap> middleNear(const Piece& piece, Flat paper, double near);
+// So near, in metres, is near enough for that.
+double nearMiddle(const PointerSample& sample, const Hit& hit);
+// A dot there, on the table and on the cloth.
+void showMiddle(Preview& preview, const GestureContext& context, PieceId piece, const MiddleSnap& snap);
 
 // Where the ray of a sample meets the plane through `through` that faces who looks.
 Vec3 onFacing(const PointerSample& sample, Vec3 through);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "karinui/geometry/polygon.h"
+#include "karinui/pattern/symmetry.h"
 #include "session/gestures.h"
 
 namespace karinui {
@@ -20,8 +21,15 @@ class LineGesture : public Gesture {
     if (table && (piece_ || hit.piece)) paper = sample.place - context.table->at(piece_ ? piece_ : hit.piece);
     if (!table && hit.on == Hit::On::Cloth && (!piece_ || hit.piece == piece_)) paper = hit.paper;
     const bool drags = sample.phase == PointerSample::Phase::Drag;
-    const auto end =
-        paper ? std::optional(table && !drags ? meant(sample, hit, context, *paper) : tenth(*paper)) : std::nullopt;
+    middle_.reset();
+    if (const Piece* piece = context.snapshot->document.find(piece_ ? piece_ : hit.piece); paper && piece)
+      middle_ = middleNear(*piece, *paper, nearMiddle(sample, hit));
+    on_ = piece_ ? piece_ : hit.piece;
+    const auto end = paper ? std::optional(drags                        ? tenth(*paper)
+                                           : middle_ && !turned(sample) ? middle_->place
+                                           : table                      ? meant(sample, hit, context, *paper)
+                                                                        : tenth(*paper))
+                           : std::nullopt;
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
         now_ = end;
@@ -34,10 +42,12 @@ class LineGesture : public Gesture {
         alone_ = alone_ || sample.alt;
         along_.push_back(*end);
         stroke_ = {*end};
+        alongAxis_ = middle_ && middle_->onAxis;
         now_.reset();
         return {};
       case PointerSample::Phase::Drag:
         if (end && !stroke_.empty() && distance(stroke_.back(), *end) > kStep) stroke_.push_back(*end);
+        alongAxis_ = alongAxis_ && middle_ && middle_->onAxis;
         return {};
       case PointerSample::Phase::Release:
         break;
@@ -46,6 +56,8 @@ class LineGesture : public Gesture {
     if (along_.size() != 1 || stroke.size() < 3) return {};
     along_.clear();
     for (const std::size_t i : mattering<Flat>(stroke, kMiss)) along_.push_back(stroke[i]);
+    if (end && middle_ && alongAxis_) along_ = {stroke.front(), *end};  // all along the middle line
+    if (end && middle_) along_.back() = *end;
     smooth_ = along_.size() > 2;
     return finished();
   }
@@ -62,6 +74,7 @@ class LineGesture : public Gesture {
   }
   Preview preview(const GestureContext& context) const override {
     Preview shown;
+    if (middle_ && on_) showMiddle(shown, context, on_, *middle_);
     if (!piece_) return shown;
     std::vector<Flat> line = along_;
     line.insert(line.end(), stroke_.begin(), stroke_.end());
@@ -73,15 +86,18 @@ class LineGesture : public Gesture {
     if (length > 0) shown.table.words.push_back({line.back() + context.table->at(piece_), context.said(length)});
     return shown;
   }
-  Message hint() const override {
-    if (!piece_) return info(Command::Line).hint;
-    return along_.size() < 2 ? say("Click on; with Shift the line is level, upright or half-way between.")
-                             : say("Click on, and Enter ends the line.");
-  }
+  Message hint() const override { return middle_ ? say("{0} {1}", middle_->said(), usualHint()) : usualHint(); }
   bool begun() const override { return static_cast<bool>(piece_); }
   bool clicks() const override { return true; }
 
  private:
+  Message usualHint() const {
+    if (!piece_) return info(Command::Line).hint;
+    return along_.size() < 2 ? say("Click on; with Shift the line is level, upright or half-way between.")
+                             : say("Click on, and Enter ends the line.");
+  }
+  // With Shift the way is given; it may lead to the middle line.
+  bool turned(const PointerSample& sample) const { return sample.shift && !along_.empty(); }
   static constexpr double kSame = 0.003, kStep = 0.003, kMiss = 0.001;  // metres
   GestureResult finished() {
     AddLine line;
@@ -106,6 +122,12 @@ class LineGesture : public Gesture {
       place = along_.back() + *way * whole(dot(there, *way));
     }
     const Piece* piece = document.find(piece_ ? piece_ : hit.piece);
+    if (way && piece && middle_ && middle_->onAxis)
+      if (const auto symmetry = symmetryOf(piece->outline); symmetry && std::fabs(cross(*way, symmetry->axis)) > 1e-3) {
+        const Flat there = along_.back() + *way * (cross(symmetry->through - along_.back(), symmetry->axis) /
+                                                   cross(*way, symmetry->axis));
+        if (distance(there, paper) < 2 * nearMiddle(sample, hit)) return exact(there);
+      }
     return tenth(piece && !traced ? onEdge(*piece, sample.reach, paper, place, way) : place);
   }
   // The place on an edge that is near the hand, beside `place` or, where a way is kept to, on it; else `place`.
@@ -137,6 +159,9 @@ class LineGesture : public Gesture {
   PieceId piece_;
   std::vector<Flat> along_, stroke_;
   std::optional<Flat> now_;
+  std::optional<MiddleSnap> middle_;     // where the hand is
+  PieceId on_;                           // of which piece
+  bool alongAxis_ = false;               // the drag has kept to the middle line
   bool smooth_ = false, alone_ = false;  // alone: not on the symmetric copy
 };
 
