@@ -136,8 +136,8 @@ void RoomRenderer::takeLines(const FittingRoom& room) {
       lines.push_back(std::move(line));
     }
   }
-  if (const auto& edge = session.selection().edge) {
-    auto line = edgeInSpace(*shown, {PieceRef(edge->piece), edge->edge});
+  for (const EdgeRef& edge : session.selection().edges()) {
+    auto line = edgeInSpace(*shown, edge);
     if (line.size() > 1) lines.push_back({std::move(line), kEdge, 4, false});
   }
   // A dot is a line of no length: round, and alike for both eyes.

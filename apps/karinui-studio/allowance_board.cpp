@@ -127,8 +127,7 @@ AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
     if (filling_ || !session_.selection().edge) return;
     SewElastic op;
     op.edges = operation().edges;
-    const EdgeNear& edge = *session_.selection().edge;
-    const double whole = findCurve(*session_.snapshot().document.find(edge.piece), edge.edge)->length();
+    const double whole = wholeLength();
     // The edge's own share: its image and copies are gathered as much.
     if (metres > 0)
       op.ratio = metres / whole;
@@ -160,8 +159,15 @@ AllowanceBoard::AllowanceBoard(Session& session) : session_(session) {
 
 SetAllowance AllowanceBoard::operation() const {
   SetAllowance op;
-  op.edges = {{PieceRef(session_.selection().edge->piece), session_.selection().edge->edge, 0, 1}};
+  op.edges = session_.selection().edges();
   return op;
+}
+
+double AllowanceBoard::wholeLength() const {
+  double whole = 0;
+  for (const EdgeRef& edge : session_.selection().edges())
+    whole += findCurve(*session_.snapshot().document.find(edge.piece.id), edge.edge)->length();
+  return whole;
 }
 
 SeamId AllowanceBoard::seam() const {
@@ -198,8 +204,8 @@ void AllowanceBoard::refresh() {
   const Allowances& finish = document.allowances;
   const Allowances::At at{piece->id, chosen->edge};
   hem_->setMetres(finish.hems.contains(at) ? finish.hems.at(at).width : 0);
-  elastic_->setLongest(kLoosestElastic * edges[*edge].curve.length());
-  elastic_->setMetres(finish.elastics.contains(at) ? finish.elastics.at(at).ratio * edges[*edge].curve.length() : 0);
+  elastic_->setLongest(kLoosestElastic * wholeLength());
+  elastic_->setMetres(finish.elastics.contains(at) ? finish.elastics.at(at).ratio * wholeLength() : 0);
   pull_->clear();
   for (const ElasticPull& pull : elasticsOf(session_.snapshot()))
     if (pull.piece == at.first && pull.edge == at.second && !document.drape.dirty.contains(at.first))
@@ -227,7 +233,7 @@ void AllowanceBoard::refresh() {
   fastened_->setVisible(!closed.isEmpty());
   const SeamId sewn = seam();
   const auto eased = document.eases.find(sewn);
-  ease_->setEnabled(static_cast<bool>(sewn));
+  ease_->setEnabled(static_cast<bool>(sewn) && session_.selection().more.empty());
   QString faults;
   if (sewn)
     for (const Message& fault : faultsSaid(document, truing(document.pattern, document.eases), sewn))

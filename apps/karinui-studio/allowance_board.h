@@ -22,7 +22,8 @@ class AllowanceBoard : public QWidget {
  private:
   SetAllowance operation() const;  // of the chosen edge; there is one
   void perform(SetAllowance operation);
-  SeamId seam() const;  // that holds the chosen edge; none: it is not sewn
+  double wholeLength() const;  // of the chosen edges together
+  SeamId seam() const;         // that holds the chosen edge; none: it is not sewn
 
   Session& session_;
   LengthBox *width_, *hem_, *elastic_, *ease_;

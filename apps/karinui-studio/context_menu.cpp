@@ -182,7 +182,16 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
     patch_->on = hit.piece, patch_->at = hit.paper;
   }
   // Several chosen pieces stay chosen, for what is to be done with all of them.
-  if (hit.edge || !hit.piece || !session_->selection().pieces.contains(hit.piece))
+  const auto edges = session_->selection().edges();
+  if (hit.edge && edges.size() > 1 &&
+      std::find(edges.begin(), edges.end(), EdgeRef{PieceRef(hit.edge->piece), hit.edge->edge}) != edges.end()) {
+    chosen.more = session_->selection().more;  // likewise several edges; the menu is of the one that is pointed at
+    std::erase_if(chosen.more,
+                  [&](const EdgeNear& one) { return one.piece == hit.edge->piece && one.edge == hit.edge->edge; });
+    if (chosen.more.size() + 1 < edges.size()) chosen.more.push_back(*session_->selection().edge);
+    chosen.pieces = session_->selection().pieces;
+    session_->select(chosen);
+  } else if (hit.edge || !hit.piece || !session_->selection().pieces.contains(hit.piece))
     session_->select(chosen);
   else
     chosen.pieces = session_->selection().pieces;
@@ -356,6 +365,28 @@ void MainWindow::menuOfPlace(PlacePiece place, const QPoint& global) {
   menu->popup(global);
 }
 
+// What is done along several edges.
+void MainWindow::addRunOperations(QMenu& menu, const EdgeRef& ref, const std::vector<EdgeRef>& run) {
+  const Document& document = session_->snapshot().document;
+  offer(menu, say("Band along it…"),
+        [this, ref, run] { askNumbers(bandAlong(session_->snapshot().document, ref, run)); });
+  offer(menu, say("Facing…"), [this, run] { askNumbers(facingAlong(session_->snapshot().document, run)); });
+  const auto offerFinish = [&](const Message& words, auto along) {
+    offer(menu, words, [this, run, along] { askNumbers(along(session_->snapshot().document, run)); });
+  };
+  for (const Strength& one : strengthsOf(document, run)) offer(menu, one.words, one.operation);
+  offerFinish(say("Shirring…"), shirringAlong);
+  offerFinish(say("Topstitch…"), topstitchAlong);
+  offerFinish(say("Piping…"), pipingAlong);
+  if (seamsOn(document, run).empty()) offerFinish(say("Binding…"), bindingAlong);
+  DrawRing skirt;
+  skirt.name = usableName(document, "ring");
+  skirt.of = run;
+  skirt.depth = {kSkirtDeep};
+  skirt.angle = {std::numbers::pi};
+  offer(menu, say("Ring from it…"), [this, skirt] { askNumbers(skirt); });
+}
+
 void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std::optional<EdgeNear>& led) {
   const Piece* piece = session_->snapshot().document.find(near.piece);
   const Edge* edge = piece ? findEdge(*piece, near.edge) : nullptr;
@@ -373,6 +404,14 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   dart.width = {session_->toolOptions().dartWidth};
   dart.tip = curve.atFraction(share) +
              leftOf(normalized(curve.tangent(curve.parameterAt(share * curve.length())))) * kDartDeep;
+  const bool several = !session_->selection().more.empty();
+  if (several) {
+    const QString why = inWords(say("Points, notches, darts and pleats take one edge: choose it alone"));
+    menu.addAction(why)->setEnabled(false);
+    const auto all = session_->selection().edges();
+    offer(menu, say("Redraw as a fair line"), FairEdges{all});
+    return addRunOperations(menu, ref, all);
+  }
   offer(menu, say("Point there"), SplitEdge{ref, share});
   offer(menu, say("Take its end away"), JoinEdges{ref});
   if (curve.kind != Curve::Kind::Line) {
@@ -429,23 +468,8 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     }
   menu.addSeparator();
   const std::vector<EdgeRef> run = runThrough(document, ref);
-  offer(menu, say("Band along it…"), [this, ref] { askNumbers(bandAlong(session_->snapshot().document, ref)); });
-  offer(menu, say("Facing…"), [this, ref] { askNumbers(facingAlong(session_->snapshot().document, ref)); });
-  const auto offerFinish = [&](const Message& words, auto along) {
-    offer(menu, words, [this, run, along] { askNumbers(along(session_->snapshot().document, run)); });
-  };
-  for (const Strength& one : strengthsOf(document, run)) offer(menu, one.words, one.operation);
-  offerFinish(say("Shirring…"), shirringAlong);
-  offerFinish(say("Topstitch…"), topstitchAlong);
-  offerFinish(say("Piping…"), pipingAlong);
-  if (seamsOn(document, run).empty()) offerFinish(say("Binding…"), bindingAlong);
+  addRunOperations(menu, ref, run);
   offer(menu, say("Pleats…"), [this, ref] { askNumbers(pleatsIn(session_->snapshot().document, ref)); });
-  DrawRing skirt;
-  skirt.name = usableName(document, "ring");
-  skirt.of = run;
-  skirt.depth = {kSkirtDeep};
-  skirt.angle = {std::numbers::pi};
-  offer(menu, say("Ring from it…"), [this, skirt] { askNumbers(skirt); });
   if (led && document.find(led->piece) &&
       (led->piece != near.piece || led->edge != near.edge || std::fabs(led->fraction - near.fraction) > kApart))
     offer(menu, say("Strap from {0} to here…", edgeSaid(document, {PieceRef(led->piece), led->edge})),

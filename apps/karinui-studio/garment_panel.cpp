@@ -25,6 +25,7 @@
 #include "karinui/pattern/symmetry.h"
 #include "length_box.h"
 #include "length_choice.h"
+#include "longer_board.h"
 #include "look_board.h"
 #include "panels.h"
 #include "take_in_board.h"
@@ -171,6 +172,11 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   sewn_ = new QLabel;
   sewn_->setWordWrap(true);
   sewn_->setProperty("role", "faint");
+  several_ = new QLabel;
+  several_->setObjectName("several_edges");
+  several_->setWordWrap(true);
+  several_->setProperty("role", "faint");
+  form->addRow(several_);
   form->addRow(word(say("Name")), edgeName_);
   stays_ = new LengthChoice(session);
   form->addRow(word(say("Take in")), takeIn_);
@@ -178,11 +184,21 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   form->addRow(takenIn_);
   form->addRow(word(say("Length")), length_);
   form->addRow(stays_);
+  longer_ = new LengthBox(say("Longer by"), -1, 1);
+  longer_->setObjectName("edge_longer");
+  Theme::here().keep(longer_, [this] {
+    longer_->setToolTip(inWords(
+        say("Makes the chosen edges so much longer together, and what they are sewn to; less than nothing: shorter.")));
+  });
+  longerHow_ = new LongerBoard(session);
+  form->addRow(word(say("Longer by")), longer_);
+  form->addRow(longerHow_);
   form->addRow(word(say("From, across")), u_);
   form->addRow(word(say("From, up")), v_);
   form->addRow(word(say("Sewn to")), sewn_);
   allowance_ = new AllowanceBoard(session);
-  form->addRow(new EdgeNumbers(session));
+  numbers_ = new EdgeNumbers(session);
+  form->addRow(numbers_);
   form->addRow(allowance_);
   below->addWidget(edgeBoard_);  // who chose an edge asks for its numbers first
   below->addWidget(pieceBoard_);
@@ -195,12 +211,14 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
     if (filling_) return;
     Selection selection;
     QList<QTreeWidgetItem*> items = tree_->selectedItems();
-    // Several pieces can be chosen, of anything else one: that which was clicked last.
+    // Several pieces can be chosen, or several edges; of anything else one: that which was clicked last.
     QTreeWidgetItem* last = tree_->currentItem();
     if (items.size() > 1 && last && last->isSelected()) {
-      const auto isPiece = [](const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).toInt() == kPiece; };
-      if (!isPiece(last)) items = {last};
-      items.removeIf([&](const QTreeWidgetItem* item) { return item != last && !isPiece(item); });
+      const auto kind = [](const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).toInt(); };
+      const bool several = kind(last) == kPiece || kind(last) == kEdge;
+      items.removeIf(
+          [&](const QTreeWidgetItem* item) { return item != last && !(several && kind(item) == kind(last)); });
+      if (kind(last) == kEdge) items.removeOne(last), items.push_back(last);
     }
     for (const QTreeWidgetItem* item : items) {
       const PieceId piece{item->data(0, Qt::UserRole + 1).toULongLong()};
@@ -210,6 +228,7 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
           break;
         case kEdge:
           selection.pieces.insert(piece);
+          if (selection.edge) selection.more.push_back(*selection.edge);
           selection.edge = EdgeNear{piece, item->data(0, Qt::UserRole + 2).toString().toStdString(), 0.5, 0};
           break;
         case kMark:
@@ -284,7 +303,7 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   connect(length_, &LengthBox::typed, this, [this](double wanted) {
     if (!filling_ && session_.selection().edge) session_.perform(stays_->length(wanted));
   });
-  for (LengthBox* box : {length_, takeIn_})
+  for (LengthBox* box : {length_, takeIn_, longer_})
     box->takeFormulas([this](const std::string& formula) -> Result<double> {
       DocumentNames names = formulaNames(session_);
       const auto value = workedOut(formula, names, kLength);
@@ -294,6 +313,9 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   connect(length_, &LengthBox::formulaTyped, this, [this](const QString& formula, double metres) {
     if (!filling_ && session_.selection().edge) session_.perform(stays_->length(formula.toStdString(), metres));
   });
+  connect(longer_, &LengthBox::typed, this, [this](double metres) { lengthen({}, metres); });
+  connect(longer_, &LengthBox::formulaTyped, this,
+          [this](const QString& formula, double metres) { lengthen(formula.toStdString(), metres); });
   connect(takeIn_, &LengthBox::typed, this, [this](double metres) { takeIn({}, metres); });
   connect(takeIn_, &LengthBox::formulaTyped, this,
           [this](const QString& formula, double metres) { takeIn(formula.toStdString(), metres); });
@@ -312,6 +334,32 @@ void GarmentPanel::takeIn(const std::string& formula, double metres) {
   Operation step = takenIn_->takeIn(metres);
   if (!formula.empty()) step.formulas = {{"by", formula}};
   session_.perform(std::move(step));
+}
+
+void GarmentPanel::lengthen(const std::string& formula, double metres) {
+  if (filling_ || !session_.selection().edge || metres == 0) return;
+  Operation step = longerHow_->lengthen(metres);
+  if (!formula.empty()) step.formulas = {{"by", formula}};
+  session_.perform(std::move(step));
+}
+
+// What one edge alone can have is grey while several are chosen, and says so.
+void GarmentPanel::showSeveral() {
+  const auto edges = session_.selection().edges();
+  const bool one = edges.size() < 2;
+  QString names;
+  for (const EdgeRef& edge : edges)
+    names += (names.isEmpty() ? "" : ", ") + inWords(edgeSaid(session_.snapshot().document, edge));
+  several_->setVisible(!one);
+  several_->setText(inWords(say(
+      "Several edges are chosen: {0}. Take in, longer by, seam allowance, hem and elastic are done to all of them, in "
+      "one step; what is grey takes one edge.",
+      names.toStdString())));
+  for (QWidget* own : std::initializer_list<QWidget*>{edgeName_, length_, stays_, u_, v_, numbers_}) {
+    own->setEnabled(one);
+    if (own == length_ || own == edgeName_)
+      own->setToolTip(one ? QString() : inWords(say("This takes one edge: choose it alone.")));
+  }
 }
 
 // The list keeps its rows; on a low screen the numbers of what is chosen need the room more.
@@ -371,6 +419,7 @@ void GarmentPanel::fillTree() {
   tree_->clear();
   const Document& document = session_.snapshot().document;
   const Selection& selection = session_.selection();
+  const auto edges = selection.edges();
   QTreeWidgetItem* current = nullptr;
   for (const auto& [id, piece] : document.pattern.pieces) {
     auto* item = new QTreeWidgetItem(tree_);
@@ -389,10 +438,10 @@ void GarmentPanel::fillTree() {
       child->setData(0, Qt::UserRole, kEdge);
       child->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
       child->setData(0, Qt::UserRole + 2, QString::fromStdString(edge.name));
-      if (selection.edge && selection.edge->piece == id && selection.edge->edge == edge.name) {
+      if (const EdgeRef own{PieceRef(id), edge.name}; std::find(edges.begin(), edges.end(), own) != edges.end()) {
         item->setExpanded(true);
         child->setSelected(true);
-        current = child;
+        if (own == edges.back()) current = child;
       }
     }
     const auto add = [&, own = id.value](int kind, const QString& line, const char* icon, bool isChosen) {
@@ -428,8 +477,7 @@ void GarmentPanel::fillTree() {
           ->setData(0, Qt::UserRole + 2, QString::fromStdString(line.name));
     }
     item->setExpanded(item->isExpanded() || open.contains(id.value));
-    if (chosen && !selection.mark && selection.line.empty() && !(selection.edge && selection.edge->piece == id))
-      item->setSelected(true), current = item;
+    if (chosen && !selection.mark && selection.line.empty() && !selection.edge) item->setSelected(true), current = item;
   }
   const TruingReport trued = truing(document.pattern, document.eases);
   const PhotoTall tall = photosOf(session_.snapshot());
@@ -545,6 +593,9 @@ void GarmentPanel::fillProperties() {
       showName(*edgeName_, edge->name, inWords(edgeNameSaid(document, *piece, edge->name)));
       length_->setMetres(edge->curve.length());
       takeIn_->setMetres(0);
+      longer_->setMetres(0);
+      longerHow_->refresh();
+      showSeveral();
       takenIn_->refresh();
       stays_->refresh();
       allowance_->refresh();

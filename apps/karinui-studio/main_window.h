@@ -121,6 +121,7 @@ class MainWindow : public QMainWindow {
   void offer(QMenu& menu, const Message& words, std::function<void()> what);
   // `led`: the edge that was chosen before, which may be led along this one.
   void addEdgeOperations(QMenu& menu, const EdgeNear& near, const std::optional<EdgeNear>& led);
+  void addRunOperations(QMenu& menu, const EdgeRef& ref, const std::vector<EdgeRef>& run);
   void addNewPieces(QMenu& pieces, QMenu& details);
   void addPieceOperations(QMenu& menu, const Selection& chosen);
   // In the folder of documents; of a file that is not there yet.

@@ -31,7 +31,12 @@
 
 namespace karinui::studio {
 
-DrawBand bandAlong(const Document& document, const EdgeRef& edge) {
+std::vector<EdgeRef> runChosen(const Document& document, const Selection& selection, const EdgeRef& edge) {
+  const auto all = selection.edges();
+  return all.size() > 1 && std::find(all.begin(), all.end(), edge) != all.end() ? all : runThrough(document, edge);
+}
+
+DrawBand bandAlong(const Document& document, const EdgeRef& edge, std::vector<EdgeRef> run) {
   struct Usual {
     const char *edge, *piece, *band;
     double deep;  // metres
@@ -48,7 +53,7 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge) {
       break;
     }
   DrawBand band;
-  band.of = runThrough(document, edge);
+  band.of = std::move(run);
   band.name = usableName(document, made.band);
   band.depth = {made.deep};
   if (piece) band.fabric = piece->fabric;
@@ -101,9 +106,9 @@ LinePieces hangingLining(const Document& document, const std::vector<PieceRef>& 
   return lining;
 }
 
-FaceEdges facingAlong(const Document& document, const EdgeRef& edge) {
+FaceEdges facingAlong(const Document& document, std::vector<EdgeRef> run) {
   FaceEdges face;
-  face.edges = runThrough(document, edge);
+  face.edges = std::move(run);
   for (const EdgeRef& own : face.edges)
     for (const auto& [id, other] : document.pattern.pieces) {
       const Piece& piece = *document.find(own.piece.id);
@@ -513,14 +518,15 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
     return edge ? std::optional(EdgeRef{PieceRef(edge->piece), edge->edge}) : std::nullopt;
   };
   QMenu* menu = &pieces;
-  enum class Of { Nothing, Edge, Piece };  // what is to be chosen before
+  enum class Of { Nothing, Edge, Edges, Piece };  // what is to be chosen before
   const auto add = [&](const char* name, const Message& words, Of of, std::function<Operation()> made) {
     QAction* action = menu->addAction(QString());
     action->setObjectName(QString("new_") + name);
     connect(menu, &QMenu::aboutToShow, action, [this, action, of, made, chosen] {
       const auto why = [&]() -> std::optional<Message> {
         if (session_->readOnly()) return say("This garment was opened for reading only; keep a copy to work on it.");
-        if (of == Of::Edge && !chosen()) return say("Choose an edge first.");
+        if ((of == Of::Edge || of == Of::Edges) && !chosen()) return say("Choose an edge first.");
+        if (of == Of::Edge && !session_->selection().more.empty()) return say("This takes one edge: choose it alone.");
         if (of == Of::Piece && session_->selection().pieces.empty()) return say("Choose a piece first.");
         if (of == Of::Piece && session_->selection().pieces.size() > 1) return say("Choose one piece alone.");
         return std::nullopt;
@@ -554,7 +560,7 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
     made.depth = {0.5};
     made.angle = {std::numbers::pi};
     if (const auto edge = chosen())
-      made.of = runThrough(session_->snapshot().document, *edge);
+      made.of = runChosen(session_->snapshot().document, session_->selection(), *edge);
     else
       made.inner = Length{0.6};
     return Operation(made);
@@ -565,27 +571,26 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
     made.points = {{0, 0}, {0.2, 0}, {0.2, 0.15}, {0, 0.2}};
     return Operation(made);
   });
-  add("band", say("Band along the chosen edge…"), Of::Edge,
-      [chosen, this] { return Operation(bandAlong(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
+  const auto run = [chosen, this] {
+    const auto edge = chosen();
+    return edge ? runChosen(session_->snapshot().document, session_->selection(), *edge) : std::vector<EdgeRef>();
+  };
+  add("band", say("Band along the chosen edge…"), Of::Edges, [chosen, run, this] {
+    return Operation(bandAlong(session_->snapshot().document, chosen().value_or(EdgeRef{}), run()));
+  });
   add("strap", say("Strap from the chosen edge…"), Of::Edge, [this] {
     const auto& edge = session_->selection().edge;
     return Operation(edge ? strapBetween(session_->snapshot().document, *edge, std::nullopt) : DrawStrap());
   });
-  add("facing", say("Facing along the chosen edge…"), Of::Edge, [chosen, this] {
-    const auto edge = chosen();
-    return Operation(edge ? facingAlong(session_->snapshot().document, *edge) : FaceEdges{});
-  });
+  add("facing", say("Facing along the chosen edge…"), Of::Edges,
+      [run, this] { return Operation(facingAlong(session_->snapshot().document, run())); });
   menu = &details;
   add("pleat", say("Pleats in the chosen edge…"), Of::Edge,
       [chosen, this] { return Operation(pleatsIn(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
   add("spread", say("Slash and spread, or fold out, from the chosen edge…"), Of::Edge,
       [chosen, this] { return Operation(slashFrom(session_->snapshot().document, chosen().value_or(EdgeRef{}))); });
   const auto addFinish = [&](const char* name, const Message& words, auto along) {
-    add(name, words, Of::Edge, [chosen, along, this] {
-      const Document& document = session_->snapshot().document;
-      const auto edge = chosen();
-      return Operation(along(document, edge ? runThrough(document, *edge) : std::vector<EdgeRef>()));
-    });
+    add(name, words, Of::Edges, [run, along, this] { return Operation(along(session_->snapshot().document, run())); });
   };
   menu->addSeparator();
   addFinish("shirring", say("Shirring along the chosen edge…"), shirringAlong);

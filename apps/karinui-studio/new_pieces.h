@@ -2,18 +2,21 @@
 // What a new piece is before its numbers are typed. GUI thread.
 #include "karinui/design/operation.h"
 #include "karinui/session/garment_snapshot.h"
+#include "karinui/session/gesture.h"
 
 namespace karinui::studio {
 
-// A band along the whole run of edges that one belongs to: a collar of a neckline, a waistband of a waist, a cuff of a
-// sleeve's hem, by what the edge and its piece are called; sewn, where none of the run is sewn yet.
-DrawBand bandAlong(const Document& document, const EdgeRef& edge);
+// The edges an operation goes along: all that are chosen, or the whole run of edges that the one belongs to.
+std::vector<EdgeRef> runChosen(const Document& document, const Selection& selection, const EdgeRef& edge);
+// A band along a run of edges, the first of which says what it is: a collar of a neckline, a waistband of a waist, a
+// cuff of a sleeve's hem, by what the edge and its piece are called; sewn, where none of the run is sewn yet.
+DrawBand bandAlong(const Document& document, const EdgeRef& edge, std::vector<EdgeRef> run);
 
 // A strap from one place to another, 2 cm wide, of the fabric where it begins; of a short edge, as wide as that is.
 DrawStrap strapBetween(const Document& document, const EdgeNear& from, const std::optional<EdgeNear>& to);
 
 // Pleats about 6 cm apart all along an edge, as the dialog first offers them.
-FaceEdges facingAlong(const Document& document, const EdgeRef& edge);  // its run, on symmetric copies too
+FaceEdges facingAlong(const Document& document, std::vector<EdgeRef> run);  // on symmetric copies too
 AddPleat pleatsIn(const Document& document, const EdgeRef& edge);
 // Pleats that are drawn: the line is their fold, and beside it lie the fold inside and where the fold comes to lie. One
 // to either side at most.

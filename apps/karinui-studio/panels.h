@@ -32,6 +32,8 @@ class FabricPlot;
 class LengthBox;
 class LengthChoice;
 class TakeInBoard;
+class LongerBoard;
+class EdgeNumbers;
 class LookBoard;
 class AllowanceBoard;
 class CutBoard;
@@ -75,6 +77,7 @@ class GarmentPanel : public Panel {
   std::vector<PieceRef> chosenRefs() const;
   void edgeTyped(const std::function<Result<Outline>(const Piece&)>& change);
   // The chosen edge, and what is sewn to it, by a length or, if it is not empty, a formula that comes to it.
+  void lengthen(const std::string& formula, double metres);
   void takeIn(const std::string& formula, double metres);
   QTreeWidget* tree_;
   QWidget* pieceBoard_;
@@ -90,6 +93,11 @@ class GarmentPanel : public Panel {
   QLineEdit* edgeName_;
   LengthBox *length_, *takeIn_, *u_, *v_;
   TakeInBoard* takenIn_;
+  LengthBox* longer_;
+  LongerBoard* longerHow_;
+  EdgeNumbers* numbers_;
+  QLabel* several_;
+  void showSeveral();
   LengthChoice* stays_;
   QScrollArea* scroll_;
   AllowanceBoard* allowance_;

@@ -393,9 +393,8 @@ void SpaceView::showOverlay() {
       lines.push_back(std::move(line));
     }
   }
-  if (session_.selection().edge) {
-    const EdgeNear& e = *session_.selection().edge;
-    auto line = edgeInSpace(*fitting, {PieceRef(e.piece), e.edge});
+  for (const EdgeRef& edge : session_.selection().edges()) {
+    auto line = edgeInSpace(*fitting, edge);
     if (line.size() > 1) lines.push_back({std::move(line), {0.05f, 0.25f, 0.62f}, 4, false});
   }
   for (const Girths& girths : levelShown_) {

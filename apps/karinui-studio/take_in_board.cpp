@@ -62,6 +62,17 @@ const Edge* TakeInBoard::edge() const {
 
 void TakeInBoard::showPlace() { place_->setVisible(where_->currentData().toInt() == kAtPlace); }
 
+// Of one edge alone: several have no place in common.
+void TakeInBoard::addPlaces() {
+  const Document& document = session_.snapshot().document;
+  const Piece& piece = *document.find(session_.selection().edge->piece);
+  const auto& edges = piece.outline.edges;
+  const std::size_t k = *piece.outline.find(edge()->name), n = edges.size();
+  where_->addItem(inWords(say("most at {0}", edgeNameSaid(document, piece, edges[(k + n - 1) % n].name))), kAtStart);
+  where_->addItem(inWords(say("most at {0}", edgeNameSaid(document, piece, edges[(k + 1) % n].name))), kAtEnd);
+  where_->addItem(inWords(say("most at a place along it")), kAtPlace);
+}
+
 void TakeInBoard::refresh() {
   const Edge* own = edge();
   setVisible(own);
@@ -69,16 +80,10 @@ void TakeInBoard::refresh() {
   const EdgeNear& chosen = *session_.selection().edge;
   const bool another = !shown_ || shown_->piece != chosen.piece || shown_->edge != chosen.edge;
   const int was = another || where_->count() == 0 ? static_cast<int>(kAllAlong) : where_->currentData().toInt();
-  const Document& document = session_.snapshot().document;
-  const Piece& piece = *document.find(chosen.piece);
-  const auto& edges = piece.outline.edges;
-  const std::size_t k = *piece.outline.find(own->name), n = edges.size();
   where_->clear();
   where_->addItem(inWords(say("all along it")), kAllAlong);
-  where_->addItem(inWords(say("most at {0}", edgeNameSaid(document, piece, edges[(k + n - 1) % n].name))), kAtStart);
-  where_->addItem(inWords(say("most at {0}", edgeNameSaid(document, piece, edges[(k + 1) % n].name))), kAtEnd);
-  where_->addItem(inWords(say("most at a place along it")), kAtPlace);
-  where_->setCurrentIndex(where_->findData(was));
+  if (session_.selection().more.empty()) addPlaces();
+  where_->setCurrentIndex(std::max(0, where_->findData(was)));
   place_->setLongest(own->curve.length());
   if (another) partners_->setCurrentIndex(kGoesAsFar);  // what was meant for the last edge is not meant for this one
   if (another || shown_->fraction != chosen.fraction) place_->setMetres(chosen.fraction * own->curve.length());
@@ -88,7 +93,7 @@ void TakeInBoard::refresh() {
 
 TakeIn TakeInBoard::takeIn(double metres) const {
   TakeIn in;
-  in.edges = {{session_.selection().edge->piece, session_.selection().edge->edge, 0, 1}};
+  in.edges = session_.selection().edges();
   in.by = Length{metres};
   if (partners_->currentIndex() == kStays) in.partners = Choice::No;
   in.moves = partners_->currentIndex() == kGives;

@@ -16,11 +16,12 @@ class TakeInBoard : public QWidget {
  public:
   explicit TakeInBoard(Session& session);
   void refresh();                      // the chosen edge, or the garment, is another
-  TakeIn takeIn(double metres) const;  // of the chosen edge
+  TakeIn takeIn(double metres) const;  // of the chosen edges
 
  private:
   const Edge* edge() const;
   void showPlace();
+  void addPlaces();
   Session& session_;
   QComboBox* where_;
   LengthBox* place_;

@@ -10,6 +10,13 @@
 
 namespace karinui {
 
+std::vector<EdgeRef> Selection::edges() const {
+  std::vector<EdgeRef> all;
+  for (const EdgeNear& one : more) all.push_back({PieceRef(one.piece), one.edge});
+  if (edge) all.push_back({PieceRef(edge->piece), edge->edge});
+  return all;
+}
+
 std::unique_ptr<Gesture> gestureFor(Command tool) {
   KARINUI_ASSERT(isTool(tool));
   return info(tool).gesture();

@@ -74,6 +74,26 @@ void Session::Impl::choose(Selection chosen) {
   if (options.wake) options.wake();
 }
 
+// One edge more of several, or one less. Off the edges nothing is chosen or put aside: the hand missed.
+Selection Session::Impl::withEdge(const Selection& before, Selection chosen) {
+  if (!before.edge) return chosen;
+  if (!chosen.edge) return before;
+  const auto same = [&](const EdgeNear& one) {
+    return one.piece == chosen.edge->piece && one.edge == chosen.edge->edge;
+  };
+  std::vector<EdgeNear> all = before.more;
+  all.push_back(*before.edge);
+  if (std::erase_if(all, same) == 0) all.push_back(*chosen.edge);
+  Selection now;
+  if (all.empty()) return now;
+  now.edge = all.back();
+  all.pop_back();
+  now.more = std::move(all);
+  for (const EdgeRef& one : now.edges()) now.pieces.insert(one.piece.id);
+  now.seam = seamAt(state.snapshot->document, *now.edge);
+  return now;
+}
+
 void Session::Impl::carryOnTable(const std::optional<Gesture::Aside>& aside) {
   if (!aside) return;
   for (const PieceId id : aside->pieces) table.carry(id, aside->by);
@@ -96,6 +116,8 @@ void Session::Impl::point(const PointerSample& sample) {
       const PieceId piece = *chosen->pieces.begin();
       chosen->pieces = selection.pieces;
       if (chosen->pieces.erase(piece) == 0) chosen->pieces.insert(piece);
+    } else if (sample.control && tool == Command::Select) {
+      chosen = withEdge(selection, *std::move(chosen));
     }
     choose(*std::move(chosen));
   }

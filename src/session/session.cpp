@@ -66,7 +66,7 @@ Command Session::tool() const { return impl_->tool; }
 Preview Session::preview() const {
   const auto& in = *impl_;
   Preview preview = in.gesture->preview(in.context());
-  if (in.selection.edge && !in.gesture->begun()) {
+  if (in.selection.edge && in.selection.more.empty() && !in.gesture->begun()) {
     const auto& ends = in.edgeEnds();
     const PieceId piece = in.selection.edge->piece;
     const auto mark = [&](const std::vector<Flat>& paper, std::vector<Flat>& table, std::vector<Vec3>& space) {

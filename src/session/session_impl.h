@@ -84,6 +84,7 @@ struct Session::Impl {
   }
 
   void choose(Selection chosen);
+  Selection withEdge(const Selection& before, Selection chosen);
   bool has(Needs needs) const;
 
   // The ends of the chosen edge, and of its image on the other half, when its length is typed. Found once for a garment

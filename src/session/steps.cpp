@@ -40,16 +40,19 @@ void Session::Impl::take(DocumentState fresh) {
     for (const auto& [id, piece] : state.snapshot->document.pattern.pieces)
       if (drawnAt && !before->document.find(id)) table.carry(id, *drawnAt - table.at(id)), drawnAt.reset();
   std::erase_if(selection.pieces, [&](PieceId id) { return !state.snapshot->document.find(id); });
-  if (selection.edge)
-    if (const Piece* piece = state.snapshot->document.find(selection.edge->piece);
-        !piece || !findEdge(*piece, selection.edge->edge)) {
-      const Piece* was = before->document.find(selection.edge->piece);
-      const auto name = was && piece ? renamed(*was, *piece, selection.edge->edge) : std::nullopt;
-      if (name)
-        selection.edge->edge = *name;
-      else
-        selection.edge.reset();
-    }
+  const auto gone = [&](EdgeNear& edge) {  // its name may be another one now
+    const Piece* piece = state.snapshot->document.find(edge.piece);
+    if (piece && findEdge(*piece, edge.edge)) return false;
+    const Piece* was = before->document.find(edge.piece);
+    const auto name = was && piece ? renamed(*was, *piece, edge.edge) : std::nullopt;
+    if (name) edge.edge = *name;
+    return !name;
+  };
+  std::erase_if(selection.more, gone);
+  if (selection.edge && gone(*selection.edge)) {
+    selection.edge.reset();
+    if (!selection.more.empty()) selection.edge = selection.more.back(), selection.more.pop_back();
+  }
   selection.line.clear(), selection.mark.reset();  // the step may have been about them
   if (selection.seam && !state.snapshot->document.find(selection.seam)) selection.seam = {};
   ++changes.garment, ++changes.history, ++changes.overlay;

@@ -296,9 +296,9 @@ TableFrame tableFrameOf(const GarmentSnapshot& snapshot, const TableLayout& layo
       frame.pieces[number.at(id)].labels.push_back(
           {TableLabel::Says::Note, own[k].words, places[k].place + layout.at(id), places[k].size, places[k].upright});
   }
-  if (chosen.edge)
-    if (const auto at = number.find(chosen.edge->piece); at != number.end())
-      if (TableEdge* edge = edgeNamed(frame.pieces[at->second], chosen.edge->edge)) edge->chosen = true;
+  for (const EdgeRef& one : chosen.edges())
+    if (const auto at = number.find(one.piece.id); at != number.end())
+      if (TableEdge* edge = edgeNamed(frame.pieces[at->second], one.edge)) edge->chosen = true;
   return frame;
 }
 

@@ -23,9 +23,9 @@ class Choosing : public testing::Test {
     made.drape = room.context.drape;
     return made;
   }
-  void click(PieceId piece, Flat paper, bool shift = false) {
+  void click(PieceId piece, Flat paper, bool shift = false, bool control = false) {
     PointerSample hand;
-    hand.where = PointerSample::Where::Table, hand.reach = 0.005, hand.shift = shift;
+    hand.where = PointerSample::Where::Table, hand.reach = 0.005, hand.shift = shift, hand.control = control;
     hand.place = paper + session.table().at(piece);
     for (const auto phase : {PointerSample::Phase::Press, PointerSample::Phase::Release})
       hand.phase = phase, session.feed(hand);
@@ -66,6 +66,41 @@ TEST_F(Choosing, DeleteTakesNoPieceAwayWhereAnEdgeWasChosen) {
   session.command(Command::Remove);
   session.finish();
   EXPECT_FALSE(session.snapshot().document.find(front));
+}
+
+TEST_F(Choosing, SeveralEdgesOneAfterAnother) {
+  const auto place = [&](PieceId piece, const char* edge) {
+    const Outline& outline = session.snapshot().document.find(piece)->outline;
+    return outline.edges[*outline.find(edge)].curve.atFraction(0.4);
+  };
+  const auto chosen = [&] {
+    std::string all;
+    for (const EdgeRef& edge : session.selection().edges())
+      all += session.snapshot().document.find(edge.piece.id)->name + "." + edge.edge + " ";
+    return all;
+  };
+  click(front, place(front, "hem"));
+  EXPECT_EQ(chosen(), "front.hem ");
+  click(back, place(back, "hem"), false, true);
+  EXPECT_EQ(chosen(), "front.hem back.hem ");
+  EXPECT_EQ(session.selection().pieces, (std::set<PieceId>{front, back}));
+  click(front, place(front, "side_left"), false, true);
+  EXPECT_EQ(chosen(), "front.hem back.hem front.side_left ");
+  click(back, place(back, "hem"), false, true);
+  EXPECT_EQ(chosen(), "front.hem front.side_left ") << "one less";
+  EXPECT_EQ(session.selection().pieces, (std::set<PieceId>{front}));
+  click(front, inside(front), false, true);
+  EXPECT_EQ(chosen(), "front.hem front.side_left ") << "the hand missed";
+  // They follow their names, and one that has gone is chosen no more.
+  session.perform(op("rename edge=front.hem to=low"));
+  session.finish();
+  EXPECT_EQ(chosen(), "front.low front.side_left ");
+  click(front, place(front, "side_right"));
+  EXPECT_EQ(chosen(), "front.side_right ") << "without Ctrl one alone";
+  click(back, place(back, "neck"), false, true);
+  session.perform(op("remove piece=back"));
+  session.finish();
+  EXPECT_EQ(chosen(), "front.side_right ");
 }
 
 TEST_F(Choosing, AllIsChosenAtOnceAndEscapeChoosesNothing) {

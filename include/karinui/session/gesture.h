@@ -98,8 +98,10 @@ struct Selection {
   std::set<PieceId> pieces;
   std::optional<EdgeNear> edge;
   SeamId seam;
-  std::string line = {};          // an inner line of the first piece
-  std::optional<Flat> mark = {};  // a notch or drill hole of it, by its place on the paper
+  std::string line = {};               // an inner line of the first piece
+  std::optional<Flat> mark = {};       // a notch or drill hole of it, by its place on the paper
+  std::vector<EdgeNear> more = {};     // edges chosen before `edge`, one after another, with it
+  std::vector<EdgeRef> edges() const;  // all of them, whole, in the order in which they were chosen
   bool operator==(const Selection&) const = default;
 };
 
