@@ -10,6 +10,7 @@
 #include "panels.h"
 #include "pattern_view.h"
 
+class PictureDialog;
 class QLabel;
 class QMenu;
 class QPrinter;
@@ -100,6 +101,7 @@ class MainWindow : public QMainWindow {
   void askReplay(const SetBody& body);
   void print();
   void picture();
+  void turntable(const PictureDialog& dialog);
   void remember(const QString& path);
   void fillRecent();
   void keysDialog();

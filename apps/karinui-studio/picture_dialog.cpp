@@ -5,6 +5,11 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSpinBox>
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <numbers>
 #include <thread>
 
 #include "beside.h"
@@ -18,19 +23,32 @@ namespace {
 constexpr std::array kSizes{std::array{900, 1200}, std::array{1800, 2400}, std::array{3600, 4800},
                             std::array{1920, 1080}};
 constexpr std::array kViews{View::Front, View::Back, View::Left, View::Right, View::Oblique};
+// After them in the list: several sides of the fitting.
+enum Round { kFourSides = 6, kStrip, kTurntable };
+constexpr int kStripSides = 8, kFewestFrames = 8, kUsualFrames = 120, kMostFrames = 720;
 constexpr std::array kEyes{Eyes::Mono, Eyes::SideBySide, Eyes::TopBottom, Eyes::Anaglyph};
 
 // What stands beside the fitting at the left, as in the window; the sheet as large as one picture would be.
-Result<Image> pair(const Beside& beside, const SceneFrame& then, const SceneFrame& now, PictureOptions how,
-                   bool allRound) {
+Result<Image> pair(const Beside& beside, const SceneFrame& then, const SceneFrame& now, PictureOptions how, int sides) {
   const std::vector<SceneFrame> frames{then, now};
-  const int count = allRound ? 8 : 2, columns = allRound ? 4 : 2;
+  const bool allRound = sides > 1;
+  const int count = 2 * sides, columns = allRound ? sides : 2;
   const SheetLayout sheet{.columns = columns, .joined = true, .width = how.width, .height = how.height};
   const SheetCell cell = sheetCell(count, sheet);
   how.width = cell.width, how.height = cell.height;
   LineUp lineUp({{text(beside.words(), how.language)}, {text(say("now"), how.language)}}, frames, how);
   lineUp.fill(sheet.width, sheet.height);
-  return allRound ? lineUp.turns(4) : lineUp.draw();
+  return allRound ? lineUp.turns(sides) : lineUp.draw();
+}
+
+// So many sides of a whole turn, in two rows; the sheet as large as one picture would be.
+Result<Image> strip(const SceneFrame& frame, PictureOptions how) {
+  const SheetLayout sheet{.columns = kStripSides / 2, .joined = true, .width = how.width, .height = how.height};
+  const SheetCell cell = sheetCell(kStripSides, sheet);
+  how.width = cell.width, how.height = cell.height;
+  LineUp lineUp({{}}, {&frame, 1}, how);
+  lineUp.fill(sheet.width, sheet.height);
+  return lineUp.turns(kStripSides);
 }
 
 // On one sheet as large as one picture would be.
@@ -66,7 +84,8 @@ PictureDialog::PictureDialog(Session& session, SpaceView& view, QWidget* parent)
   from_ = new QComboBox;
   from_->addItems({inWords(say("as it is seen now")), inWords(say("Front")), inWords(say("Back")),
                    inWords(say("Left side")), inWords(say("Right side")), inWords(say("Oblique")),
-                   inWords(say("all round, on one sheet"))});
+                   inWords(say("all round, on one sheet")), inWords(say("eight sides of a turn, on one sheet")),
+                   inWords(say("turntable: numbered pictures of a whole turn"))});
   size_ = new QComboBox;
   for (const auto& [wide, high] : kSizes) size_->addItem(QString("%1 × %2").arg(wide).arg(high));
   size_->setCurrentIndex(1);
@@ -79,7 +98,14 @@ PictureDialog::PictureDialog(Session& session, SpaceView& view, QWidget* parent)
     box->setAccessibleName(inWords(words));
     connect(box, &QComboBox::currentIndexChanged, this, &PictureDialog::refresh);
   }
-  eyes_->setEnabled(!view_.beside());  // two garments are drawn for one eye
+  count_ = new QSpinBox;
+  count_->setRange(kFewestFrames, kMostFrames);
+  count_->setValue(kUsualFrames);
+  count_->setObjectName("picture_count");
+  count_->setAccessibleName(inWords(say("Pictures")));
+  count_->setToolTip(inWords(say("Any program makes a film of them; 120 are 5 seconds at 24 a second.")));
+  form->addRow(inWords(say("Pictures")), count_);
+  rows_ = form;
   left->addLayout(form);
   left->addStretch(1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
@@ -97,7 +123,7 @@ PictureDialog::PictureDialog(Session& session, SpaceView& view, QWidget* parent)
   refresh();
 }
 
-Result<Image> PictureDialog::draw(double scale) const {
+PictureOptions PictureDialog::options(double scale) const {
   const auto size = kSizes[static_cast<std::size_t>(size_->currentIndex())];
   PictureOptions how;
   how.width = static_cast<int>(size[0] * scale), how.height = static_cast<int>(size[1] * scale);
@@ -105,10 +131,15 @@ Result<Image> PictureDialog::draw(double scale) const {
   how.map = view_.map() == FitMap::Strain ? Map::Strain : view_.map() == FitMap::Pressure ? Map::Pressure : Map::None;
   how.language = Theme::here().language();
   how.lettering = how.map != Map::None;
+  if (from_->currentIndex() > kFourSides) how.eyes = Eyes::Mono;
+  return how;
+}
+
+Result<Image> PictureDialog::draw(double scale) const {
+  PictureOptions how = options(scale);
   const int from = from_->currentIndex();
   if (from == 0) how.camera = view_.camera();
   if (from > 0 && from <= static_cast<int>(kViews.size())) how.view = kViews[static_cast<std::size_t>(from - 1)];
-  const bool allRound = from > static_cast<int>(kViews.size());
   // On a thread of its own: this one's is the window's context, and some drivers allow no second.
   std::optional<Result<Image>> image;
   std::thread([&] {
@@ -121,11 +152,17 @@ Result<Image> PictureDialog::draw(double scale) const {
       return;
     }
     if (two) {
-      image = pair(*beside, **then, **now, how, allRound);
+      image = pair(*beside, **then, **now, how, from == kFourSides ? 4 : from == kStrip ? kStripSides : 1);
+      return;
+    }
+    if (from == kStrip) {
+      image = strip(**now, how);
       return;
     }
     auto picture = Picture::open();
-    image = !picture ? picture.error() : allRound ? fourSides(**picture, **now, how) : (*picture)->draw(**now, how);
+    image = !picture             ? picture.error()
+            : from == kFourSides ? fourSides(**picture, **now, how)
+                                 : (*picture)->draw(**now, how);
   }).join();
   return *std::move(image);
 }
@@ -150,7 +187,59 @@ Done PictureDialog::write(const std::string& path) const {
   return image ? writePng(path, *image) : Done(image.error());
 }
 
+int PictureDialog::frames() const { return from_->currentIndex() == kTurntable ? count_->value() : 0; }
+
+Result<int> PictureDialog::writeTurn(const std::string& folder, const std::function<bool(int)>& goesOn,
+                                     double scale) const {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) return refused(say("The folder “{0}” cannot be made: {1}", folder, failed.message()));
+  PictureOptions how = options(scale);
+  how.eyes = Eyes::Mono;
+  const Beside* beside = parent()->findChild<Beside*>();
+  const bool two = beside && beside->fitting();
+  const auto now = framed(session_.snapshot(), how);
+  const auto then = two ? framed(*beside->fitting(), how) : Result<const SceneFrame*>(nullptr);
+  if (!now || !then) return !now ? now.error() : then.error();
+  const SheetLayout sheet{.columns = 2, .joined = true, .width = how.width, .height = how.height};
+  std::vector<SceneFrame> all{**now};
+  std::vector<LineUp::Figure> figures{{}};
+  if (two) {
+    all.insert(all.begin(), **then);
+    figures = {{text(beside->words(), how.language)}, {text(say("now"), how.language)}};
+    const SheetCell cell = sheetCell(2, sheet);
+    how.width = cell.width, how.height = cell.height;
+  }
+  std::atomic<int> drawn = 0;
+  std::atomic<bool> stop = false, over = false;
+  Done done;
+  std::thread worker([&] {
+    LineUp lineUp(figures, all, how);
+    lineUp.keepAll();
+    if (two) lineUp.fill(sheet.width, sheet.height);
+    for (int k = 0, count = frames(); k < count && !stop && done; ++k) {
+      const auto image = lineUp.draw(2 * std::numbers::pi * k / count, static_cast<int>(all.size()));
+      const std::string number = std::to_string(k + 1);
+      const std::string name = "frame_" + std::string(4 - std::min<std::size_t>(4, number.size()), '0') + number;
+      done = image ? writePng((fs::path(folder) / (name + ".png")).string(), *image) : Done(image.error());
+      if (done) ++drawn;
+    }
+    over = true;
+  });
+  while (!over) {
+    if (!goesOn(drawn)) stop = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  worker.join();
+  if (!done) return done.error();
+  return drawn.load();
+}
+
 void PictureDialog::refresh() {
+  rows_->setRowVisible(count_, from_->currentIndex() == kTurntable);
+  // Two garments, and those that turn, are drawn for one eye.
+  eyes_->setEnabled(!view_.beside() && from_->currentIndex() <= kFourSides);
   const auto size = kSizes[static_cast<std::size_t>(size_->currentIndex())];
   const auto image = draw(400.0 / std::max(size[0], size[1]));
   if (!image) return picture_->setText(inWords(image.error().what));

@@ -1,5 +1,7 @@
 // What leaves the window: copies, exports, pictures, paper.
 #include <QDate>
+#include <QDir>
+#include <QFileDialog>
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrinter>
@@ -90,6 +92,7 @@ void MainWindow::askShare() {
 void MainWindow::picture() {
   PictureDialog dialog(*session_, *space_, this);
   if (dialog.exec() != QDialog::Accepted) return;
+  if (dialog.frames() > 0) return turntable(dialog);
   const FileFormat& format = fileFormat("png");
   const QString path = askToWrite(this, inWords(say("Picture of the fitting…")), proposed(say("fitting"), format),
                                   filterWriting(format), endingsOf(format));
@@ -98,6 +101,29 @@ void MainWindow::picture() {
     tell({Notice::Kind::Refused, done.error().what});
   else
     tell({Notice::Kind::Said, say("“{0}” was written.", path.toStdString())});
+}
+
+// In a folder of its own within the one that is chosen.
+void MainWindow::turntable(const PictureDialog& dialog) {
+  const QString where = QFileDialog::getExistingDirectory(this, inWords(say("Folder for the turntable")));
+  if (where.isEmpty()) return;
+  QString folder = QDir(where).filePath(called(say("turntable")));
+  for (int k = 2; QDir(folder).exists(); ++k)
+    folder = QDir(where).filePath(called(say("turntable")) + QString(" %1").arg(k));
+  QProgressDialog progress(inWords(say("Drawing the turntable")), inWords(say("Stop")), 0, dialog.frames(), this);
+  progress.setWindowTitle(inWords(say("Picture of the fitting")));
+  progress.setWindowModality(Qt::WindowModal);
+  const auto written = dialog.writeTurn(folder.toStdString(), [&](int drawn) {
+    progress.setValue(drawn);  // handles what is clicked meanwhile
+    return !progress.wasCanceled();
+  });
+  progress.reset();
+  if (!written) return tell({Notice::Kind::Refused, written.error().what});
+  if (*written < dialog.frames())
+    tell({Notice::Kind::Said,
+          say("Stopped: {0} of {1} pictures are in “{2}”.", *written, dialog.frames(), folder.toStdString())});
+  else
+    tell({Notice::Kind::Said, say("{0} pictures of a whole turn are in “{1}”.", *written, folder.toStdString())});
 }
 
 void MainWindow::print() {

@@ -11,6 +11,7 @@
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTest>
 #include <QTimer>
 #include <cstdio>
@@ -385,7 +386,7 @@ TEST(StudioSaveActions, TakesAPictureFromEverySide) {
   const auto back = dialog.draw(0.25);
   ASSERT_TRUE(front && back);
   EXPECT_NE(front->rgba, back->rgba);
-  from.setCurrentIndex(from.count() - 1);
+  from.setCurrentIndex(6);
   w.keepDialog(dialog, "studio_picture");
   Folder folder;
   const fs::path path = folder.path / "round.png";
@@ -393,6 +394,44 @@ TEST(StudioSaveActions, TakesAPictureFromEverySide) {
   const QImage round(QString::fromStdString(path.string()));
   EXPECT_EQ(round.width(), 900) << "as large as was chosen";
   EXPECT_EQ(round.height(), 1200);
+  from.setCurrentIndex(7);
+  const auto strip = dialog.draw(0.25);
+  ASSERT_TRUE(strip) << text(strip.error().what);
+  EXPECT_EQ(strip->width, 225);
+  EXPECT_EQ(strip->height, 300);
+  EXPECT_EQ(dialog.frames(), 0);
+}
+
+TEST(StudioSaveActions, MakesATurntable) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  PictureDialog dialog(w.session(), w.space(), &w.main());
+  named<QComboBox>(dialog, "Pixels").setCurrentIndex(0);
+  named<QComboBox>(dialog, "From").setCurrentIndex(8);
+  auto& count = *dialog.findChild<QSpinBox*>("picture_count");
+  EXPECT_FALSE(count.isHidden());
+  count.setValue(8);
+  EXPECT_EQ(dialog.frames(), 8);
+  EXPECT_FALSE(named<QComboBox>(dialog, "Stereo").isEnabled());
+  Folder folder;
+  const fs::path turn = folder.path / "turn";
+  int asked = 0;
+  const auto written = dialog.writeTurn(
+      turn.string(), [&](int) { return ++asked > 0; }, 0.25);
+  ASSERT_TRUE(written) << text(written.error().what);
+  EXPECT_EQ(*written, 8);
+  const QImage first(QString::fromStdString((turn / "frame_0001.png").string()));
+  const QImage half(QString::fromStdString((turn / "frame_0005.png").string()));
+  EXPECT_EQ(first.width(), 225);
+  EXPECT_EQ(first.size(), half.size());
+  EXPECT_NE(first, half) << "seen from behind";
+  EXPECT_TRUE(fs::exists(turn / "frame_0008.png"));
+  const auto stopped = dialog.writeTurn((folder.path / "stopped").string(), [](int) { return false; }, 0.25);
+  ASSERT_TRUE(stopped);
+  EXPECT_LT(*stopped, 8);
+  named<QComboBox>(dialog, "From").setCurrentIndex(1);
+  EXPECT_TRUE(count.isHidden());
 }
 
 }  // namespace
