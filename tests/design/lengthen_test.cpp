@@ -134,6 +134,9 @@ TEST(Lengthen, RefusesWhatCannotBe) {
   EXPECT_THAT(shirt.refusal("lengthen edges=collar.end_left by=-5cm\n"), HasSubstr("cannot become 50.0 mm shorter"));
   EXPECT_THAT(shirt.refusal("lengthen edges=\"front_left.armhole back.armhole_left\" by=90cm\n"),
               HasSubstr("beside=keep"));
+  // A hem stands square to the sides: along them it would have to go ten centimetres.
+  EXPECT_THAT(shirt.refusal("lengthen edges=back.hem_left by=25mm\n"), HasSubstr("nearly square to the run"));
+  EXPECT_EQ(shirt.refusal("lengthen edges=back.hem_left by=25mm beside=keep\n"), "");
 }
 
 }  // namespace

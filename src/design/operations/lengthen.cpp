@@ -16,6 +16,7 @@ namespace karinui {
 namespace {
 
 constexpr double kMostLonger = 1;    // metres
+constexpr double kFarForIt = 2;      // times what the run gains: farther than that an end does not go along an edge
 constexpr double kFarAlong = 0.5;    // metres: that an end goes along an edge
 constexpr double kTrial = 1e-3;      // metres: an end goes so far to see what comes of it
 constexpr double kExactly = 1e-9;    // metres
@@ -108,6 +109,11 @@ class Run {
     const auto way = howFarAlong();
     if (!way) return way.error();
     along = *way;
+    if (std::fabs(along) > kFarForIt * std::fabs(op_.by))
+      return refused(
+          say("The ends would go {0} mm along the edges beside them, which stand nearly square to the run. Let those "
+              "edges keep their lengths instead (beside=keep).",
+              millimetres(std::fabs(along))));
     return goneAlong(along);
   }
 
