@@ -16,6 +16,7 @@
 #include "karinui/exchange/read_print.h"
 #include "karinui/session/fabric_numbers.h"
 #include "karinui/session/silhouette.h"
+#include "length_box.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -121,7 +122,7 @@ QLineEdit* FabricWizard::add(QFormLayout& form, const Message& label, double uni
   line->setPlaceholderText(QString::fromUtf8(usual));
   line->setAccessibleName(inWords(label));
   form.addRow(inWords(label) + ", " + QString::fromUtf8(unitText), line);
-  lines_.push_back({line, unit});
+  lines_.push_back({line, unit, std::string_view(unitText) == "mm"});
   connect(line, &QLineEdit::textChanged, this, &FabricWizard::workOut);
   return line;
 }
@@ -129,12 +130,19 @@ QLineEdit* FabricWizard::add(QFormLayout& form, const Message& label, double uni
 // In SI; nothing typed: what the line says in grey, or none.
 Result<std::vector<double>> FabricWizard::read(const QLineEdit* line) const {
   static const QRegularExpression kBetween(QString::fromUtf8("[\\s;、]+"));
-  const auto unit = std::find_if(lines_.begin(), lines_.end(), [&](const Reading& r) { return r.line == line; })->unit;
+  static const QRegularExpression kOwnUnit(QString::fromUtf8("(?<=[0-9])\\s+(?=(mm|cm|m|in|\")(\\s|;|$))"));
+  const auto& [own, unit, isLength] =
+      *std::find_if(lines_.begin(), lines_.end(), [&](const Reading& r) { return r.line == line; });
   std::vector<double> all;
-  const QString typed = line->text().normalized(QString::NormalizationForm_KC);  // full-width digits and blanks too
+  QString typed = line->text().normalized(QString::NormalizationForm_KC);  // full-width digits and blanks too
+  if (isLength) typed.remove(kOwnUnit);
   for (const QString& word :
        (typed.trimmed().isEmpty() ? line->placeholderText() : typed).split(kBetween, Qt::SkipEmptyParts)) {
     const auto number = parseNumber(QString(word).replace(',', '.').toStdString());
+    if (const auto metres = isLength && !number ? metresIn(word) : std::nullopt) {  // with a unit of its own
+      all.push_back(*metres);
+      continue;
+    }
     if (!number)
       return badInput(say("{0}: “{1}” is no number; type readings with spaces between them.",
                           line->accessibleName().toStdString(), word.toStdString()));

@@ -27,6 +27,7 @@ class FabricWizard : public QDialog {
   struct Reading {  // a line to type into; what is read, times `unit`, is SI
     QLineEdit* line;
     double unit;
+    bool length;  // "10cm" is understood, too
   };
   QLineEdit* add(QFormLayout& form, const Message& label, double unit, const char* unitText, const char* usual = "");
   Result<std::vector<double>> read(const QLineEdit* line) const;

@@ -224,14 +224,16 @@ TEST(StudioFabric, AFabricIsMeasuredOnATable) {
     ADD_FAILURE() << "nothing is called " << where;
   };
   EXPECT_THAT(told->text().toStdString(), HasSubstr("Weigh a swatch first"));
-  type("Length of the swatch", "100");
-  type("Width of the swatch", "100");
+  type("Length of the swatch", "10 cm");  // millimetres, unless another unit is written
+  type("Width of the swatch", "10,0cm 100 mm 100");
+  type("Its mass", "1.9cm");
+  EXPECT_THAT(told->text().toStdString(), HasSubstr("is no number")) << "of grams";
   type("Its mass", "1.9、1,9　２．０");  // as they come of a Japanese keyboard
   type("Scales", "0.1");
   type("Overhang, warp", "45.5 45.0 46.0");
   type("Overhang, weft", "42.6 a");
   EXPECT_THAT(told->text().toStdString(), HasSubstr("is no number"));
-  type("Overhang, weft", "42.6");
+  type("Overhang, weft", "4.26cm");
   type("Or a disc's drape", "64");
   EXPECT_THAT(told->text().toStdString(), HasSubstr("by strips or by a disc"));
   type("Or a disc's drape", "");
