@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeastBesideDart = 1e-3;                 // metres of the edge that are left beside it
 constexpr double kOneLine = 30 * std::numbers::pi / 180;  // by which the edge may turn where the dart is closed
 constexpr double kDrillAtTip = 2e-3;                      // metres: a drill hole there marks the point
-constexpr double kSeamKept = 1e-8, kSeamTrue = 5e-5;      // metres
+constexpr double kSeamKept = 1e-8, kSeamTrue = 5e-4;      // metres
 
 // The curve so that it starts and ends there.
 Curve carriedEnds(Curve curve, Flat start, Flat end) {
