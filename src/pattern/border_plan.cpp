@@ -16,6 +16,8 @@ constexpr double kSameStation = 1e-7;  // metres: stations nearer than this are 
 constexpr double kOneCorner = 1e-3 - 1e-8;
 
 constexpr double kOnLine = 1e-4;  // metres: a line that ends as near to another ends on it
+constexpr std::size_t kMostStations = 1'000'000;
+constexpr double kOneEnd = 2e-5;  // metres: so near to the end of a line a seam ends at it
 
 // The part of an inner line that lies on the cloth: an end that has come to lie beyond the outline, or in a hole, as
 // when the edge it ended on was taken in, is where the line meets the border. As it is where no part of it does.
@@ -249,7 +251,8 @@ void BorderPlan::standOnTracks(std::size_t line) {
             nearest = away, at = walked + share * own;
           walked += own;
         }
-        if (nearest < kOnLine) addStation(t, tracks_[t].edgeStart[k] + at, kOnLine);
+        if (nearest < kOnLine && addStation(t, tracks_[t].edgeStart[k] + at, kOnLine))
+          lineEnds_.emplace_back(t, tracks_[t].edgeStart[k] + at);
       }
   }
 }
@@ -291,8 +294,13 @@ Done BorderPlan::gatherSeams(const Pattern& pattern) {
     if (!a) return a.error();
     if (!b) return b.error();
     if (a->empty() || b->empty()) continue;
-    for (const auto* side : {&*a, &*b})
-      for (const Leg& leg : *side) {
+    for (auto* side : {&*a, &*b})
+      for (Leg& leg : *side) {
+        // What is sewn up to the end of a line ends there, though that was found along chords: stations that lie by
+        // micrometres beside each other would be carried across the seams to ever more of them.
+        for (const auto& [track, at] : lineEnds_)
+          for (double* end : {&leg.from, &leg.to})
+            if (track == leg.track && std::fabs(*end - at) < kOneEnd) *end = at;
         addStation(leg.track, leg.from, kSameStation);
         addStation(leg.track, leg.to, kSameStation);
       }
@@ -388,6 +396,9 @@ Done BorderPlan::carryAll() {
     bool changed = false;
     for (const Joined& joined : joined_) changed |= carryAcross(joined);
     if (!changed) return {};
+    std::size_t stations = 0;
+    for (const Track& track : tracks_) stations += track.station.size();
+    if (stations > kMostStations) break;  // ever more of them: they never meet
   }
   const auto last = std::find_if(joined_.rbegin(), joined_.rend(), [](const Joined& j) { return bool{j.seam}; });
   return refused(say("The seams around {0} overlap so that their points never meet; sew them edge to edge.",

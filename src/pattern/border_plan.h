@@ -85,6 +85,7 @@ class BorderPlan {
   std::vector<std::size_t> offset_, root_, count_;  // per stretch: its class and its number of segments
   std::vector<int> finer_;                          // per class: times it was refined
   std::map<SeamId, std::string> seamName_;
+  std::vector<std::pair<std::size_t, double>> lineEnds_;  // on which track, and where along it
 };
 
 }  // namespace karinui
