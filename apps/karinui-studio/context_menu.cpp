@@ -498,6 +498,7 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   for (const SeamId id : seamsOn(document, {ref}))
     offer(menu, say("Zip in seam {0}…", seamSaid(document, *document.find(id))),
           [this, id] { askNumbers(zipIn(session_->snapshot().document, id)); });
+  if (const auto fly = flyAt(document, ref)) offer(menu, say("Fly…"), [this, fly] { askNumbers(*fly); });
   for (const MergePieces& merge : mergesAlong(document, ref))
     offer(menu, say("Merge with {0} along the seam", nameSaid(document.find(merge.b.front().piece.id)->name)), merge);
   for (const auto& [name, own] : document.allowances.fastenings) {

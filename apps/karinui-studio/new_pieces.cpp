@@ -258,6 +258,27 @@ Fasten zipIn(const Document& document, SeamId id) {
   return zip;
 }
 
+std::optional<SewFly> flyAt(const Document& document, const EdgeRef& over) {
+  for (const SeamId id : seamsOn(document, {over})) {
+    const Seam& seam = *document.find(id);
+    if (seam.a.size() != 1 || seam.b.size() != 1 || !seam.reversed) continue;
+    const bool first = seam.a.front().piece == over.piece.id && seam.a.front().edge == over.edge;
+    const EdgeSpan& other = first ? seam.b.front() : seam.a.front();
+    if (!document.find(other.piece)->outline.find(other.edge)) continue;
+    const Edge& edge = *findEdge(*document.find(over.piece.id), over.edge);
+    const Flat chord = edge.curve.end - edge.curve.start;
+    if (std::fabs(chord.v) < std::fabs(chord.u)) continue;  // it opens from the waist down
+    SewFly fly;
+    fly.a = {over.piece, over.edge}, fly.b = {PieceRef(other.piece), other.edge};
+    const auto taken = [&] {
+      return document.allowances.fastenings.contains(fly.name) || document.pieceNamed(fly.name + "_facing");
+    };
+    for (int n = 2; taken(); ++n) fly.name = "fly_" + std::to_string(n);
+    return fly;
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 // The finish that the first of these has.
@@ -605,6 +626,13 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
     const Document& document = session_->snapshot().document;
     const std::vector<SeamId> seams = chosen() ? seamsOn(document, {*chosen()}) : std::vector<SeamId>();
     return Operation(zipIn(document, seams.empty() ? SeamId() : seams.front()));
+  });
+  add("fly", say("Fly over the chosen edge…"), Of::Edge, [chosen, this] {
+    const auto edge = chosen();
+    const auto fly = edge ? flyAt(session_->snapshot().document, *edge) : std::nullopt;
+    SewFly bare;
+    if (edge) bare.a = *edge;
+    return Operation(fly.value_or(bare));
   });
   add("patch", say("Chosen piece sewn onto another…"), Of::Piece, [this] {
     const auto& taken = session_->selection().pieces;

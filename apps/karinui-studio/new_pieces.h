@@ -1,5 +1,7 @@
 #pragma once
 // What a new piece is before its numbers are typed. GUI thread.
+#include <optional>
+
 #include "karinui/design/operation.h"
 #include "karinui/session/garment_snapshot.h"
 #include "karinui/session/gesture.h"
@@ -29,6 +31,8 @@ SewPatch patchOf(const Document& document, PieceId piece);
 Fasten fastenedTo(const Document& document, const EdgeRef& over, const EdgeRef& under);
 // A zip of 20 cm at most, from the upper end of a seam; without sides where it is not there.
 Fasten zipIn(const Document& document, SeamId seam);
+// Over this edge, in the seam that joins it alone to one edge; nothing where it has none.
+std::optional<SewFly> flyAt(const Document& document, const EdgeRef& over);
 // As the dialog first offers it: what is along the edges or the inner line already, otherwise with the usual numbers.
 SewElastic elasticAlong(const Document& document, const EdgeRef& line);
 SewElastic shirringAlong(const Document& document, std::vector<EdgeRef> edges);  // five rows of a weak elastic

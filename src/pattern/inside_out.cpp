@@ -26,4 +26,16 @@ std::set<PieceId> wornInsideOut(const Pattern& pattern) {
   return inside;
 }
 
+std::set<PieceId> laidWithin(const Pattern& pattern) {
+  std::set<PieceId> within = wornInsideOut(pattern);
+  if (within.empty()) return within;
+  for (const auto& [id, seam] : pattern.seams) {
+    if (seam.tie != Seam::Tie::Pleat || !seam.reversed) continue;
+    for (const EdgeSpan& outer : seam.a)
+      for (const EdgeSpan& own : seam.b)
+        if (pattern.pieces.at(own.piece)->layer < pattern.pieces.at(outer.piece)->layer) within.insert(own.piece);
+  }
+  return within;
+}
+
 }  // namespace karinui

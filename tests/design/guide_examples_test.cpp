@@ -110,6 +110,8 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
       {"trueup seam=underarm_left", kShirt},
       {"length edge=sleeve.cap", kTop + kPieces},
       {"block kind=shirt", ""},
+      {"block kind=bodice", ""},
+      {"fly a=leg_front_left", std::string(kFigure) + "block kind=trousers\n"},
       {"band name=belt", kSkirt},
       {"ring name=cape_left", kFigure},
       {"duplicate piece=front name=back by=0,0,-40cm", ""},

@@ -35,4 +35,8 @@ Result<DividedPart> shortenedAt(const Piece& piece, const std::vector<std::strin
 // are cut with their paper turned over.
 std::set<PieceId> wornInsideOut(const Pattern& pattern);
 
+// Those, and underlaps as the shield of a fly: pieces in a lower layer with which the cloth of an edge goes on, beside
+// what else the edge is sewn to. They lie within the garment and are laid into it when the rest hangs.
+std::set<PieceId> laidWithin(const Pattern& pattern);
+
 }  // namespace karinui

@@ -38,7 +38,7 @@ std::vector<std::set<PieceId>> garmentsOf(const Document& document, std::set<Pie
 
 std::vector<Stage> stagesOf(const Document& before, const DrapePieces& op) {
   const std::set<PieceId> live = livePieces(before, op.live);
-  const std::set<PieceId> insideOut = op.insideLast ? wornInsideOut(before.pattern) : std::set<PieceId>();
+  const std::set<PieceId> insideOut = op.insideLast ? laidWithin(before.pattern) : std::set<PieceId>();
   std::vector<Stage> stages;
   for (std::set<PieceId>& garment : op.dressed ? garmentsOf(before, live) : std::vector{live}) {
     Stage inside{{}, true};
@@ -170,7 +170,7 @@ std::optional<Result<DrapeOutcome>> drapedAnew(const Document& before, const Dra
   const bool several = garmentsOf(before, livePieces(before, op.live)).size() > 1;
   DrapePieces way = op;
   const bool never = !before.drape.last || before.drape.last->steps == 0;  // it was too small to be draped
-  way.insideLast = never && !wornInsideOut(before.pattern).empty();
+  way.insideLast = never && !laidWithin(before.pattern).empty();
   way.dressed = false;
   if (auto outcome = attempted(before, way, context, several)) return outcome;
   if (!several) return std::nullopt;

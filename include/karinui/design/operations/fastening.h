@@ -81,6 +81,35 @@ struct Fasten {
   bool operator==(const Fasten&) const = default;
 };
 
-using FasteningOperations = OperationList<Fasten>;
+// fly a=leg_front_left.crotch b=leg_front_right.crotch length=15cm
+struct SewFly {
+  static constexpr std::string_view kName = "fly";
+  static constexpr std::string_view kHelp =
+      "Sews a fly: a zip between two edges, a facing under the one that lies over, stitched on in a J, and a shield "
+      "behind the zip on the other.";
+  static constexpr bool kDisturbsDrape = true;
+  EdgeRef a, b;
+  std::string name = "fly";
+  Length length{0.15}, width{0.035};
+  std::string fabric;
+  bool shield = true;
+  int rows = 2;
+  std::optional<Dye> colour;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("a", self.a, "the edge that lies over, from the waist down: it is faced, and stitched", kNeeded);
+    visit("b", self.b, "the edge that lies under: it gets the shield", kNeeded);
+    visit("name", self.name, "of the zip; before the names of facing, shield and stitched line", kOptional);
+    visit("length", self.length, "of the zip, from the waist down", kOptional);
+    visit("width", self.width, "from the edge to where the facing is stitched on", kOptional);
+    visit("fabric", self.fabric, "of facing and shield (otherwise what their piece is cut from)", kOptional);
+    visit("shield", self.shield, "no: without a shield", kOptional);
+    visit("rows", self.rows, "of stitches along the J; 0: none to be seen", kOptional);
+    visit("colour", self.colour, "of the thread; nothing said: a shade of the cloth's own", kOptional);
+  }
+  bool operator==(const SewFly&) const = default;
+};
+
+using FasteningOperations = OperationList<Fasten, SewFly>;
 
 }  // namespace karinui

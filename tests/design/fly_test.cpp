@@ -1,0 +1,75 @@
+// A fly is sewn in one step, and hangs where it belongs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "design/draping_room.h"
+#include "karinui/design/piece_label.h"
+#include "karinui/pattern/facing.h"
+
+namespace karinui {
+namespace {
+
+const char* const kTrousers = "body size=eu38\nset spacing=20mm\nblock kind=trousers\n";
+
+Document drapedWith(const std::string& fly) {
+  DocumentFile file = DocumentFile::inMemory();
+  const auto played = drapingRoom().play(file, kTrousers + fly + "drape\n");
+  EXPECT_TRUE(played) << text(played.error().what);
+  return file.document();
+}
+
+// Draped once, the facing lies in the front and the shield behind it, on the other side of the zip, too.
+TEST(Fly, LiesBehindItsZip) {
+  const Document document = drapedWith("fly a=leg_front_left.crotch b=leg_front_right.crotch\n");
+  expectHangsWell(document);
+  const Piece &front = *document.pieceNamed("leg_front_left"), &facing = *document.pieceNamed("fly_facing"),
+              &shield = *document.pieceNamed("fly_shield");
+  EXPECT_GT(front.layer, facing.layer);
+  EXPECT_GT(facing.layer, shield.layer);
+  const Curve &edge = findEdge(front, "crotch")->curve, &inner = findEdge(facing, "inner")->curve;
+  for (const double down : {0.03, 0.08, 0.13}) {
+    const Flat at = edge.atFraction(down / edge.length()) + Flat{0.015, 0};
+    expectWithin(document, facing, front, at);
+    expectWithin(document, shield, front, at);
+    expectWithin(document, shield, facing, at);
+  }
+  EXPECT_NEAR(distance(inner.atFraction(0.5), edge.atFraction(0.08 / edge.length())), 0.035, 0.02);
+}
+
+// Either side may lie over; the stitched line ends where the facing does, at one place of the edge.
+TEST(Fly, MayLieOverFromTheRight) {
+  const Document document = drapedWith("fly a=leg_front_right.crotch b=leg_front_left.crotch rows=0\n");
+  expectHangsWell(document);
+  const Piece &front = *document.pieceNamed("leg_front_right"), &shield = *document.pieceNamed("fly_shield");
+  const Curve& edge = findEdge(front, "crotch")->curve;
+  expectWithin(document, shield, front, edge.atFraction(1 - 0.08 / edge.length()) - Flat{0.015, 0});
+  EXPECT_TRUE(document.allowances.topstitches.empty());
+}
+
+// The facing is as the front beside its edge, 1.5 cm longer than the zip; its seam line is where it is stitched on. The
+// shield is larger by 5 mm, and cut twice.
+TEST(Fly, HasItsPaper) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(
+      file, std::string(kTrousers) + "fly a=leg_front_left.crotch b=leg_front_right.crotch length=14cm width=3cm\n"));
+  const Document& document = file.document();
+  const Piece &front = *document.pieceNamed("leg_front_left"), &facing = *document.pieceNamed("fly_facing"),
+              &shield = *document.pieceNamed("fly_shield");
+  EXPECT_NEAR(findEdge(facing, "crotch")->curve.length(), 0.155, 1e-3);
+  EXPECT_NEAR(findEdge(shield, "crotch")->curve.length(), 0.16, 1e-3);
+  EXPECT_EQ(findCurve(front, "fly_line")->length(), findEdge(facing, "inner")->curve.length());
+  EXPECT_EQ(document.allowances.topstitches.at({front.id, "fly_line"}).rows, 2);
+  EXPECT_EQ(document.allowances.fastenings.at("fly").kind, FasteningKind::Zip);
+  EXPECT_EQ(document.cutting.at(shield.id), (Cutting{2, true}));
+  EXPECT_THAT(wornInsideOut(document.pattern), testing::ElementsAre(facing.id));
+  EXPECT_THAT(laidWithin(document.pattern), testing::ElementsAre(facing.id, shield.id));
+  // The seam below the zip stays sewn; a waistband goes on over the facing's upper edge.
+  const Done band = room.play(file,
+                              "band name=waistband depth=4cm sew=yes of=\"leg_front_right.waist* leg_back_right.waist* "
+                              "leg_back_left.waist* leg_front_left.waist*\"\n");
+  EXPECT_TRUE(band) << text(band.error().what);
+}
+
+}  // namespace
+}  // namespace karinui
