@@ -175,6 +175,36 @@ Error unmetSaid(const Unmet& unmet, std::optional<double> limit) {
                            unmet.other, had, nearest));
 }
 
+// Girths that no body has together: those that were stated, and which of them alone is in the way.
+Error unlikeSaid(const SectionModel& model, const Measurements& wanted, const Measurements& complete) {
+  const std::pair<const char*, Message> kNamed[] = {{"bust_girth", say("bust")},
+                                                    {"under_bust_girth", say("under the bust")},
+                                                    {"waist_girth", say("waist")},
+                                                    {"hip_girth", say("hip")}};
+  const auto stated = std::count_if(std::begin(kNamed), std::end(kNamed),
+                                    [&](const auto& one) { return wanted.value.contains(one.first); });
+  std::optional<Message> all, odd;
+  double least = kMostUnlike;
+  for (const auto& [key, name] : kNamed) {
+    const auto value = complete.value.find(key);
+    if (value == complete.value.end() || (stated > 1 && !wanted.value.contains(key))) continue;
+    const Message one = say("{0} {1}", name, measureSaid(key, value->second));
+    all = all ? say("{0}, {1}", *all, one) : one;
+    Measurements without = wanted;
+    if (stated < 3 || without.value.erase(key) == 0) continue;  // of two either may be meant
+    const double far = model.distance(model.completed(without));
+    if (far < least) least = far, odd = one;
+  }
+  const Message height = measureSaid("height", complete.value.at("height"));
+  if (odd)
+    return refused(
+        say("These girths do not belong to one body: {0} at a height of {1}. Without {2} they would; check "
+            "that number first.",
+            *all, height, *odd));
+  return refused(
+      say("These girths do not belong to one body: {0} at a height of {1}. Check the numbers.", *all, height));
+}
+
 // What a mannequin is made with, and where the solver starts from the drawn figure.
 struct Making {
   Workers& workers;
@@ -198,12 +228,7 @@ Result<BodyPtr> made(const Measurements& wanted, const Making& making, Unmet& un
   const SectionModel model = SectionModel::of(wanted.sex);
   const Measurements complete = model.completed(wanted);
   if (const Done ok = plausible(complete); !ok) return ok.error();
-  if (model.distance(complete) > kMostUnlike)
-    return refused(say(
-        "These girths do not belong to one body: bust {0}, waist {1}, hip {2} at a height of {3}. Check the numbers.",
-        measureSaid("bust_girth", complete.value.at("bust_girth")),
-        measureSaid("waist_girth", complete.value.at("waist_girth")),
-        measureSaid("hip_girth", complete.value.at("hip_girth")), measureSaid("height", complete.value.at("height"))));
+  if (model.distance(complete) > kMostUnlike) return unlikeSaid(model, wanted, complete);
   const double height = complete.value.at("height");
   const Figure drawn = model.draw(complete);
   std::vector<Target> targets = targetsFor(wanted, complete, model, drawn.at);

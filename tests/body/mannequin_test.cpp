@@ -281,6 +281,24 @@ TEST(Mannequin, AQuarrelFarOffNamesBoth) {
       << said;
 }
 
+// Girths that no body has together are those that were stated, and the one that is in the way of all others is named.
+TEST(Mannequin, GirthsOfNoBodyAreNamed) {
+  Workers workers(1);
+  const Token token;
+  const auto said = [&](Measurements wanted) {
+    const auto body = makeMannequin(wanted, workers, token);
+    return body ? std::string() : text(body.error().what);
+  };
+  EXPECT_EQ(said({Sex::Female,
+                  {{"height", 1.68},
+                   {"bust_girth", 0.92},
+                   {"under_bust_girth", 0.45},
+                   {"waist_girth", 0.74},
+                   {"hip_girth", 0.98}}}),
+            "These girths do not belong to one body: bust 92.0 cm, under the bust 45.0 cm, waist 74.0 cm, hip 98.0 cm "
+            "at a height of 168.0 cm. Without under the bust 45.0 cm they would; check that number first.");
+}
+
 // The arms of a stout figure, as it is drawn first, lie in its trunk. EN 13402 has women of this size.
 TEST(Mannequin, StoutFiguresAreMade) {
   const auto woman = [](double height, double bust, double waist, double hip) {
