@@ -202,5 +202,14 @@ TEST(TypedLength, TheSameEndGoesOnBothSidesOfTheSeam) {
   EXPECT_TRUE(symmetryOf(t.file.document().pieceNamed("back")->outline));
 }
 
+// Both pieces that changed are named: the one that is meant and its symmetric copy, to which it is sewn.
+TEST(TakeIn, TellsTheSymmetricCopyToo) {
+  Pinned t;
+  t.play(std::string(kBodyPaper) + "sew a=front_left.centre b=front_right.centre name=middle\n");
+  t.said.clear();
+  t.play("takein edges=front_left.centre by=-1cm\n");
+  EXPECT_THAT(t.said, HasSubstr("Let out by 10.0 mm: front_left.centre, front_right.centre."));
+}
+
 }  // namespace
 }  // namespace karinui

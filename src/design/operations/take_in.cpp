@@ -120,6 +120,7 @@ struct Carried {
   TakenEdge edge;
   std::optional<Taper> taper;
   bool image = false;  // of another one of them: it follows that one
+  bool other = false;  // on another piece, a symmetric copy
   bool lets = false;   // it is let out as far as the others are taken in
 };
 
@@ -183,7 +184,7 @@ class EdgesThatGo {
     for (const TakenEdge& one : here)
       for (const PieceId copy : likenesses(document_, edge.first))
         if (const auto name = edgeOnCopy(*document_.find(copy), piece, one.second))
-          push({{copy, *name}, one == edge ? turned : taper, true});
+          push({{copy, *name}, one == edge ? turned : taper, true, true});
     return {};
   }
   Done addSewn(const Carried from) {
@@ -230,7 +231,8 @@ Result<Document> allAtOnce(const Document& before, const TakeIn& op, Context& co
   for (const Carried& first : *all) {
     const PieceId id = first.edge.first;
     std::string& list = first.lets ? letOut : said;
-    if (!first.image) list += (list.empty() ? "" : ", ") + before.find(id)->name + "." + first.edge.second;
+    if (!first.image || first.other)
+      list += (list.empty() ? "" : ", ") + before.find(id)->name + "." + first.edge.second;
     const Piece& piece = *before.find(id);
     if (after.find(id)->outline != piece.outline) continue;  // carried already, or as a copy
     std::vector<EdgeCarry> carries;
