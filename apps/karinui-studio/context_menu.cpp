@@ -519,11 +519,13 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
         part.closedLength = Length{own.zipped * lengthOf(document.pattern, own)};
       else
         part.closed = own.closed;
-      offer(menu, zip ? say("Close {0} part of the way…", nameSaid(name)) : say("Close some of {0}…", nameSaid(name)),
-            [this, part] { askNumbers(part); });
+      offer(
+          menu,
+          zip ? say("Close {0} part of the way…", fasteningSaid(name)) : say("Close some of {0}…", fasteningSaid(name)),
+          [this, part] { askNumbers(part); });
     }
-    offer(menu, open ? say("Close {0}", nameSaid(name)) : say("Open {0}", nameSaid(name)), turned);
-    offer(menu, say("Take {0} out", nameSaid(name)), none);
+    offer(menu, open ? say("Close {0}", fasteningSaid(name)) : say("Open {0}", fasteningSaid(name)), turned);
+    offer(menu, say("Take {0} out", fasteningSaid(name)), none);
   }
   if (unfolded(*piece, near.edge) && seamsOn(document, {ref}).empty())
     offer(menu, say("Unfold on it: both halves"), UnfoldPiece{ref});

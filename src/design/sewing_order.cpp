@@ -245,7 +245,7 @@ class SewingPlan {
   std::vector<Message> namesOf(FasteningKind kind) const {
     std::vector<Message> names;
     for (const auto& [name, own] : document_.allowances.fastenings)
-      if (own.kind == kind) names.push_back(nameSaid(name));
+      if (own.kind == kind) names.push_back(fasteningSaid(name));
     return names;
   }
   void zips() {

@@ -89,7 +89,7 @@ std::vector<FasteningPull> fasteningsOf(const GarmentSnapshot& snapshot) {
 }
 
 Message fastenerSaid(const FasteningPull& pull) {
-  return pull.number > 0 ? say("{0} {1}", nameSaid(pull.name), pull.number) : nameSaid(pull.name);
+  return pull.number > 0 ? say("{0} {1}", fasteningSaid(pull.name), pull.number) : fasteningSaid(pull.name);
 }
 
 Message pulledSaid(const FasteningPull& pull) {

@@ -378,5 +378,15 @@ TEST(Glossary, StepsAreSaidWithoutAnyIdentifier) {
   }
 }
 
+// A fastening may be called as an edge is, and is none.
+TEST(Glossary, AFasteningIsNoEdge) {
+  EXPECT_EQ(text(nameSaid("inner")), "inner edge");
+  EXPECT_EQ(text(fasteningSaid("inner")), "inner fastening");
+  EXPECT_EQ(text(fasteningSaid("outer_2")), "outer fastening 2");
+  EXPECT_EQ(text(fasteningSaid("top_left")), "left upper fastening");
+  EXPECT_EQ(text(fasteningSaid("buttons")), "buttons");
+  EXPECT_EQ(text(fasteningSaid("my_hooks")), "my hooks");
+}
+
 }  // namespace
 }  // namespace karinui

@@ -36,6 +36,8 @@ Message placeSaid(const BodyPoint& place);
 // belong to each other: "skirt_side_left" is "left side of skirt".
 Message nameSaid(std::string_view name);
 Message edgeSaid(std::string_view piece, std::string_view edge);
+// The name of a fastening; what would be an edge of a piece, as "inner", is no edge here.
+Message fasteningSaid(std::string_view name);
 
 // The whole of `text` as one of the above, or as a list of them with commas; nothing: it is no identifier of ours.
 // This is what Look and other faces put sentences' values through.

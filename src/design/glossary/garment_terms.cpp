@@ -147,4 +147,12 @@ TermTable wordTerms() {
   return all;
 }
 
+TermTable fasteningTerms() {
+  static const std::vector<NamedTerm> all{
+      {"bottom", say("lower fastening")}, {"fall", say("outer fastening")},  {"inner", say("inner fastening")},
+      {"low", say("lower fastening")},    {"outer", say("outer fastening")}, {"top", say("upper fastening")},
+  };
+  return all;
+}
+
 }  // namespace karinui

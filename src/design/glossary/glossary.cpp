@@ -319,6 +319,19 @@ Message edgeSaid(std::string_view piece, std::string_view edge) {
   return say("{0} of {1}", nameSaid(edge), idSaid(piece).value_or(nameSaid(piece)));
 }
 
+Message fasteningSaid(std::string_view name) {
+  const std::size_t bar = name.find('_');
+  for (const NamedTerm& term : fasteningTerms()) {
+    if (term.identifier != name.substr(0, bar)) continue;
+    if (bar == std::string_view::npos) return term.name;
+    const std::string_view rest = name.substr(bar + 1);
+    if (rest == "left") return say("left {0}", term.name);
+    if (rest == "right") return say("right {0}", term.name);
+    if (isDigits(rest)) return say("{0} {1}", term.name, rest);
+  }
+  return nameSaid(name);
+}
+
 std::optional<Message> identifierSaid(std::string_view text) {
   if (text.empty() || text.size() > 2000) return std::nullopt;
   if (const auto one = oneSaid(text)) return one;

@@ -30,5 +30,6 @@ bool isNumbered(std::string_view edge);
 
 TermTable fabricTerms();
 TermTable wordTerms();
+TermTable fasteningTerms();  // those that are words for edges otherwise
 
 }  // namespace karinui
