@@ -188,5 +188,21 @@ TEST(CutEdges, ACopiedPartWhoseLineEndsWithinIsToldWhere) {
   EXPECT_THAT(text(done.error().what), HasSubstr("its end 200.0, 300.0 mm lies within the piece, 200 mm from the"));
 }
 
+// What is cut twice is so in all its parts, also of a symmetric copy; a record of before had a new part cut once.
+TEST(CutEdges, PartsAreCutAsOftenAsThePiece) {
+  for (const bool recorded : {false, true}) {
+    Workroom room;
+    DocumentFile file = DocumentFile::inMemory();
+    ASSERT_TRUE(room.play(file, std::string(kPanel) + "quantity piece=front count=2 pairs=yes\n"));
+    room.context.recorded = recorded;
+    const auto cut =
+        apply(file.document(), op("cut piece=front line=\"-50cm,15cm; 50cm,15cm\" name=part"), room.context);
+    ASSERT_TRUE(cut) << text(cut.error().what);
+    EXPECT_EQ(cut->cutting.at(cut->pieceNamed("front")->id), (Cutting{2, true}));
+    const auto part = cut->cutting.find(cut->pieceNamed("part")->id);
+    EXPECT_EQ(part == cut->cutting.end() ? Cutting() : part->second, recorded ? Cutting() : (Cutting{2, true}));
+  }
+}
+
 }  // namespace
 }  // namespace karinui

@@ -273,6 +273,7 @@ TermTable fieldTerms() {
       {"ratio.elastic", say("Length, times the edges")},
       {"rectangle", say("Sides of that rectangle")},
       {"refit", say("Curve fitted anew")},
+      {"quantities", say("Parts cut as often")},
       {"remove", say("There is no such variable any more")},
       {"repeat", say("Repeats every")},
       {"replace", say("Unpick seams in the way")},

@@ -213,6 +213,8 @@ Result<Cut> cutIn(const Document& before, const CutPiece& op, const std::vector<
     if (own) after.looks.pieces[piece.id] = lookOf(before, whole);
     if (const auto shift = before.looks.shifts.find(whole.id); shift != before.looks.shifts.end())
       after.looks.shifts[piece.id] = shift->second;
+    if (const auto often = before.cutting.find(whole.id); often != before.cutting.end() && op.quantities == Choice::Yes)
+      after.cutting[piece.id] = often->second;
     piece.mirrorOf = PieceId();  // no longer the other's likeness
     after = withPiece(std::move(after), std::move(piece));
   }
@@ -274,6 +276,7 @@ Done resolve(const Document& before, CutPiece& op, Context& context) {
       return refused(say("The side of a cut's line is left or right, as the line runs, not “{0}”.", side));
   if (context.recorded) return {};
   if (op.corners == Choice::Auto) op.corners = Choice::Yes;
+  if (op.quantities == Choice::Auto && before.cutting.contains(op.piece.id)) op.quantities = Choice::Yes;
   bool twins = false;
   auto sides = sidesKept(before, op, twins);
   if (!sides) return sides.error();

@@ -29,6 +29,7 @@ struct CutPiece {
   std::string edge;
   Choice twins = Choice::Auto;
   Choice symmetric = Choice::Auto;
+  Choice quantities = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to cut", kNeeded);
@@ -49,6 +50,10 @@ struct CutPiece {
           kOptional);
     visit("symmetric", self.symmetric,
           "both halves of a symmetric piece, the other along the image of the line: auto, yes, no (auto: no)",
+          kOptional);
+    visit("quantities", self.quantities,
+          "each part is cut as often as the piece was: auto, yes, no (auto: yes, but no in a record that does not have "
+          "it)",
           kOptional);
   }
   bool operator==(const CutPiece&) const = default;
