@@ -166,5 +166,31 @@ TEST(FoldedPleats, RunIntoThePieceWhicheverWayTheyAreTold) {
   EXPECT_EQ(folded("1,0"), folded("-1,0"));
 }
 
+// What is pleated first and placed then stays folded: it is as wide as it was folded, and its layers lie in order.
+TEST(FoldedPleats, StayFoldedWhenTheyArePlaced) {
+  const std::string pleated =
+      "body size=eu38\nset spacing=20mm\nrectangle name=panel width=24cm height=40cm edges=\"hem right waist left\"\n"
+      "pleat edge=panel.waist count=3 depth=2cm turned=along\n";
+  const auto wide = [](const std::string& script) {
+    Document document;
+    const auto lines = parseScript(script);
+    for (const ScriptLine& line : *lines) {
+      auto next = apply(document, line.operation, drapingRoom().context);
+      EXPECT_TRUE(next) << text(next.error().what);
+      if (next) document = *std::move(next);
+    }
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    const Piece& panel = *document.pieceNamed("panel");
+    for (const Vec3 p : panel.form->space) low = std::min(low, panel.pose(p).x), high = std::max(high, panel.pose(p).x);
+    return high - low;
+  };
+  const std::string placed = "place piece=panel at=torso:waist@0 ease=2cm";
+  EXPECT_TRUE(standsInOrder(pleated + placed + "\n"));
+  const double before =
+      wide("body size=eu38\nset spacing=20mm\nrectangle name=panel width=24cm height=40cm\n" + placed);
+  EXPECT_NEAR(wide(pleated + placed), before, 0.02);
+  EXPECT_GT(wide(pleated + placed + " folded=no"), before + 0.02);
+}
+
 }  // namespace
 }  // namespace karinui

@@ -136,6 +136,10 @@ struct PaperPleat {
 };
 std::vector<PaperPleat> pleatsOf(const Pattern& pattern);
 
+// Where places of a pleated piece lie when its paper is folded flat. Nothing where it has no pleats, or they do not all
+// run straight, alongside each other and equally deep.
+std::optional<std::function<FoldedPlace(Flat)>> foldingOf(const Pattern& pattern, PieceId piece);
+
 // The internal lines of a piece that are edges of its lattice: those a seam holds, and those along which a pleat is
 // folded or cloth is turned over.
 std::set<std::string> linesOfLattice(const Pattern& pattern, const Piece& piece);

@@ -249,6 +249,7 @@ TermTable fieldTerms() {
       {"over.attach", say("Goes over the body there")},
       {"over.strap", say("Goes over the body there")},
       {"taper", say("As narrow as the piece at every height")},
+      {"folded", say("Pleats stay folded")},
       {"pairs", say("In pairs, left and right")},
       {"part", say("Place in the part")},
       {"moves", say("The seam moves")},

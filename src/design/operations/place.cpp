@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "design/operations/lifted_form.h"
 #include "design/operations/limb.h"
 #include "design/operations/new_piece.h"
 #include "design/operations/place_cone.h"
@@ -219,6 +220,11 @@ Done resolve(const Document& before, PlacePiece& op, Context& context) {
   if (op.cone == Choice::Yes && !ring)
     return refused(say("“{0}” is no sector of a ring; only such a piece stands as a cone.", piece.name));
   if (!(op.arc >= 0 && op.arc <= 1)) return refused(say("A piece takes between none and all (1) of the way round."));
+  if (op.folded == Choice::Yes && !foldingOf(before.pattern, op.piece.id))
+    return refused(
+        say("“{0}” has no pleats that run alongside each other, equally deep; leave folded= away.", piece.name));
+  if (op.folded == Choice::Auto && !context.recorded && !recordOfBefore && foldingOf(before.pattern, op.piece.id))
+    op.folded = Choice::Yes;
   if (op.arc > 0 && !op.wrap.empty())
     return refused(say("What goes round more than once takes all of the way round; leave arc= away."));
   const bool plain = !op.taper && op.wrap.empty() && op.arc == 0;
@@ -335,14 +341,38 @@ void standAsTube(const WishedPlace& wish, Form& form) {
   }
 }
 
+// Pleated paper stands as it lies folded, its layers over each other.
+Done standFolded(const std::function<FoldedPlace(Flat)>& folding, const std::function<Done(Form&)>& stand, Form& form) {
+  constexpr double kAside = 1e-3;  // metres on the folded paper, by which its directions are found
+  Form here, right, above;
+  std::vector<double> lifted;
+  for (const Flat place : form.flat) {
+    const FoldedPlace in = folding(place);
+    const Flat lies = in.place + in.clear;
+    here.flat.push_back(lies), right.flat.push_back(lies + Flat{kAside, 0}),
+        above.flat.push_back(lies + Flat{0, kAside});
+    lifted.push_back(in.lifted * kLayersApart);
+  }
+  for (Form* one : {&here, &right, &above})
+    if (Done done = stand(*one); !done) return done;
+  for (std::size_t k = 0; k < form.flat.size(); ++k) {
+    const Vec3 out = cross(right.space[k] - here.space[k], above.space[k] - here.space[k]);
+    form.space.push_back(here.space[k] + (length(out) > 0 ? normalized(out) * lifted[k] : Vec3{}));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op, const Body& body) {
   const auto place = body.find(op.at);
   if (!place) return place.error();
-  WishedPlace wish{piece, op, body};
+  const auto folding = op.folded == Choice::Yes ? foldingOf(document.pattern, piece.id) : std::nullopt;
+  PlacePiece own = op;
+  if (folding && own.point) own.point = (*folding)(*own.point).place;
+  WishedPlace wish{piece, own, body};
   wish.paper = piece.outline.flattened(1e-3);
-  for (Flat& p : wish.paper) p = wish.lies(p);
+  for (Flat& p : wish.paper) p = wish.lies(folding ? (*folding)(p).place : p);
   const FlatBox& box = wish.box = boxOf(wish.paper);
 
   LimbFrame& limb = wish.limb;
@@ -366,14 +396,17 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
   auto form = std::make_shared<Form>();
   form->flat = (*lattice)->nodes;
   form->faces = (*lattice)->faces;
-  if (op.cone == Choice::Yes) {
-    if (const Done done = standAsCone(wish, *sectorOf(piece), *form); !done) return done.error();
-  } else if (op.taper) {
-    const TaperedTube tube(wish.paper, wish.skin, *op.ease);
-    for (const Flat p : form->flat) form->space.push_back(tube.place(wish.lies(p), limb));
-  } else {
-    standAsTube(wish, *form);
-  }
+  const auto stand = [&](Form& one) -> Done {
+    if (op.cone == Choice::Yes) return standAsCone(wish, *sectorOf(piece), one);
+    if (op.taper) {
+      const TaperedTube tube(wish.paper, wish.skin, *op.ease);
+      for (const Flat p : one.flat) one.space.push_back(tube.place(wish.lies(p), limb));
+    } else {
+      standAsTube(wish, one);
+    }
+    return {};
+  };
+  if (Done done = folding ? standFolded(*folding, stand, *form) : stand(*form); !done) return done.error();
   piece.pose = Rigid();
   piece.form = std::move(form);
   return piece;
@@ -387,7 +420,7 @@ Result<Document> perform(const Document& before, const PlacePiece& op, Context& 
   tellThroughBody(*piece, **body, before.body.pose, context);
   tellRingInRing(before, *piece, op, context);
   const std::vector<PaperPleat> pleats = pleatsOf(before.pattern);
-  if (context.advise &&
+  if (context.advise && op.folded != Choice::Yes &&
       std::any_of(pleats.begin(), pleats.end(), [&](const PaperPleat& pleat) { return pleat.piece == op.piece.id; }))
     context.advise(
         {say("The pleats of “{0}” are spread flat now; place a piece first, and pleat it then.", piece->name)});

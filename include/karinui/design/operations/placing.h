@@ -45,6 +45,7 @@ struct PlacePiece {
   bool taper = false;
   std::string wrap;
   double arc = 0;
+  Choice folded = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to place", kNeeded);
@@ -63,6 +64,10 @@ struct PlacePiece {
     visit("arc", self.arc,
           "the share of the way round that it takes, 0.5 as a front or back; what is wider stands in upright waves "
           "(otherwise it takes its own width)",
+          kOptional);
+    visit("folded", self.folded,
+          "its pleats stay folded: auto, yes, no (auto: if it has any that run alongside each other, but no in a "
+          "record that does not have it)",
           kOptional);
   }
   bool operator==(const PlacePiece&) const = default;
