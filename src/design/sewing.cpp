@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "design/sewn_corners.h"
 #include "design/sides_up.h"
 #include "design/spoken.h"
 #include "karinui/base/number.h"
@@ -292,6 +293,51 @@ std::vector<EdgeRef> asTheyFollow(const Document& document, std::vector<EdgeRef>
   std::vector<EdgeRef> run;
   for (const std::size_t k : best) run.push_back(side[k]);
   return run.empty() ? side : run;
+}
+
+void meetAsRings(const Document& document, SewEdges& sew) {
+  constexpr int kPlaces = 48;
+  constexpr double kPlainly = 0.5;  // of what the rings as they are listed are apart
+  constexpr std::size_t kMost = 24;
+  if (sew.tie == SewEdges::Tie::Pleat || sew.a.size() > kMost || sew.b.size() > kMost) return;
+  for (const auto* side : {&sew.a, &sew.b})
+    if (anyUnplaced(document, *side) || !goesOnSewn(document, side->back(), side->front())) return;
+  // Evenly along a ring, from each of its edges on.
+  const auto rings = [&](const std::vector<EdgeRef>& side) {
+    std::vector<std::vector<Vec3>> all;
+    const double whole = lengthOf(document, side);
+    for (std::size_t first = 0; first < side.size(); ++first) {
+      std::vector<Vec3> places;
+      double before = 0;
+      for (std::size_t k = 0; k < side.size(); ++k) {
+        const EdgeRef& edge = side[(first + k) % side.size()];
+        const double own = lengthOf(document, {edge});
+        const Stand stand(*document.find(edge.piece.id));
+        const Curve& curve = *findCurve(*document.find(edge.piece.id), edge.edge);
+        while (static_cast<int>(places.size()) < kPlaces) {
+          const double along = whole * (static_cast<double>(places.size()) + 0.5) / kPlaces - before;
+          if (along > own && k + 1 < side.size()) break;
+          places.push_back(stand(curve.atFraction(edge.from + (edge.to - edge.from) * std::fmin(1, along / own))));
+        }
+        before += own;
+      }
+      all.push_back(std::move(places));
+    }
+    return all;
+  };
+  const auto a = rings(sew.a), b = rings(sew.b);
+  std::size_t firstA = 0, firstB = 0;
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      double sum = 0;
+      for (std::size_t k = 0; k < kPlaces; ++k)
+        sum += distance(a[i][k], b[j][sew.reversed == Choice::Yes ? kPlaces - 1 - k : k]);
+      if (i + j == 0) sum *= kPlainly;
+      if (sum < least) least = sum, firstA = i, firstB = j;
+    }
+  std::rotate(sew.a.begin(), sew.a.begin() + static_cast<std::ptrdiff_t>(firstA), sew.a.end());
+  std::rotate(sew.b.begin(), sew.b.begin() + static_cast<std::ptrdiff_t>(firstB), sew.b.end());
 }
 
 bool overlap(const EdgeRef& a, const EdgeRef& b) {

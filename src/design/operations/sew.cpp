@@ -3,6 +3,7 @@
 
 #include "design/operations/new_piece.h"
 #include "design/operations/sewn_runs.h"
+#include "design/sewn_corners.h"
 #include "design/spoken.h"
 #include "karinui/design/sewing.h"
 
@@ -193,6 +194,7 @@ Done resolve(const Document& given, SewEdges& op, Context& context) {
     }
     op.reversed = facesReversed(before, op, body.get()) ? Choice::Yes : Choice::No;
   }
+  if (!context.recorded && onOutlines(before, op.a) && onOutlines(before, op.b)) meetAsRings(before, op);
   if (op.tie == SewEdges::Tie::Auto) {
     op.tie = ratio >= kTwoToOneFrom ? SewEdges::Tie::TwoToOne : SewEdges::Tie::OneToOne;
   }
