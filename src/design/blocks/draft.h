@@ -84,13 +84,27 @@ struct BlockWish {
   std::optional<double> ease, length;
   bool belly = false;  // lower pieces have room for a belly that is wider than the hip
   DraftBlock::Worn worn = DraftBlock::Worn::Waist;
-  bool armhole = false;  // upper pieces have an armhole that an arm has room in
+  bool armhole = false;                       // upper pieces have an armhole that an arm has room in
+  std::optional<double> knee = {}, hem = {};  // of trousers: round a leg
+  bool legs = false;                          // and these are wider or narrower as the hip is by its ease
+  // Of a skirt: the waist it is sewn to, for one side of front and back, from the centre to the dart and from there to
+  // the side; no dart: all of it as `centre`.
+  struct Waist {
+    double centre = 0;
+    std::optional<double> side = {};
+    double whole() const { return centre + side.value_or(0); }
+  };
+  struct Waists {
+    Waist front, back;
+  };
+  std::optional<Waists> meets = {};
 };
 Result<Draft> bodiceDraft(const Measured& of, const BlockWish& wish);
 Result<Draft> shirtDraft(const Measured& of, const BlockWish& wish);
 // A stand for a neckline: from the front's middle over the wearer's right round to its left.
 DraftBand collarBand(std::vector<EdgeRef> neckline, double depth);
 Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish);
+double skirtWaist(const Measured& of);  // all round, by itself
 Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish);
 Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish);
 // Both sleeves for an armhole of that length.

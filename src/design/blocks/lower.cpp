@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "design/blocks/draft.h"
+#include "karinui/base/number.h"
 
 namespace karinui {
 
@@ -13,6 +14,8 @@ struct Quarter {
   double waist = 0, hip = 0, dart = 0;  // waist: as drawn, the dart's width included
 };
 constexpr double kLeastDart = 0.006;
+constexpr double kTrousersEase = 0.06;  // metres, where none is said
+std::string centimetresOf(double metres) { return fixed(metres * 100, 1); }
 Quarter quarterOf(double waist, double hip, double atSide, bool exact) {
   const double less = std::fmax(0, hip - waist);
   double side = std::fmin(atSide, 0.5 * less);
@@ -37,6 +40,10 @@ Top topOf(const Measured& of, const BlockWish& wish) {
   constexpr double kFirm = 0.04;    // metres that the edge is narrower by than what lies below, where that can be
   const double hip = of("hip_girth"), waistHigh = of("waist_height");
   Top top{of("waist_girth"), waistHigh};
+  if (wish.meets) {
+    if (wish.belly && top.girth <= hip) top.belly = std::fmax(0, of.belly().girth - hip);
+    return top;
+  }
   const auto low = [&](double girth, double height) {
     const double highHip = of("high_hip_height");
     const double above = (height - highHip) / std::fmax(waistHigh - highHip, 0.01),
@@ -101,6 +108,8 @@ Curve through(const std::vector<Flat>& points) {
 
 }  // namespace
 
+double skirtWaist(const Measured& of) { return of("waist_girth") + 0.02; }
+
 Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
   const double ease = wish.ease.value_or(0.05);
   const Top worn = topOf(of, wish);
@@ -119,7 +128,8 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
   Draft draft;
   for (const bool front : {true, false}) {
     const double wide = hip + (front ? worn.belly / 2 : 0);
-    const Quarter q = quarterOf(waist, wide, 0.03, worn.exact);
+    const BlockWish::Waist* meets = !wish.meets ? nullptr : front ? &wish.meets->front : &wish.meets->back;
+    const Quarter q = quarterOf(meets ? meets->whole() : waist, wide, 0.03, worn.exact || meets);
     const double middle = front ? 0 : worn.raised;
     const Flat foot{wide + flare, -whole}, seat{wide, -deep}, top{q.waist, rise + worn.raised / 2};
     const Flat up = top - seat;
@@ -138,16 +148,17 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
     piece.stands.at = at, piece.stands.ease = 0.012;
     draft.pieces.push_back(std::move(piece));
     if (q.dart < kLeastDart) continue;
+    const double drawn = half.back().curve.length(), share = front ? kFrontDart : 2 - kFrontDart;
+    const double width = meets ? drawn - meets->whole() : q.dart * share;
+    const double place = meets && meets->side ? (meets->centre + width / 2) / drawn : 0.5;  // from the centre
     // The waist runs from the side to the centre on the half at positive u.
-    for (const bool left : {true, false}) {
-      const double u = 0.5 * q.waist;
+    for (const bool left : {true, false})
       draft.darts.push_back({name,
                              "waist" + (left ? plus : minus),
-                             0.5,
-                             q.dart * (front ? kFrontDart : 2 - kFrontDart),
-                             {(left ? 1 : -1) * u, -deep * (front ? 0.5 : 0.65)},
+                             left ? 1 - place : place,
+                             width,
+                             {(left ? 1 : -1) * place * q.waist, -deep * (front ? 0.5 : 0.65)},
                              "dart"});
-    }
   }
   for (const std::string s : {"left", "right"})
     draft.seams.push_back(
@@ -156,7 +167,7 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
 }
 
 Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
-  const double ease = wish.ease.value_or(0.06);
+  const double ease = wish.ease.value_or(kTrousersEase);
   const Top worn = topOf(of, wish);
   const double hip = (of("hip_girth") + ease) / 4, waist = (worn.girth + worn.ease) / 4;
   const double seat = worn.height - of("crotch_height") + 0.015;  // the rise, with room to sit
@@ -165,8 +176,18 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
   if (!(inside > seat + 0.05))
     return refused(say("Trousers that long end above the crotch; they have to be longer than {0} cm.",
                        std::round((seat + 0.05) * 100)));
-  const double kneeHalf = std::fmax(of("knee_girth") + 0.08, 0.36) / 4, hemHalf = (of("ankle_girth") + 0.14) / 4;
+  // What is given up or added at the hip goes on down the legs, as far as knee and heel let it.
+  const double share = wish.legs ? (of("hip_girth") + ease) / (of("hip_girth") + kTrousersEase) : 1;
+  const auto round = [&](double usual, double least) { return std::fmax(usual * share, std::fmin(usual, least)); };
+  const double kneeRound = wish.knee.value_or(round(std::fmax(of("knee_girth") + 0.08, 0.36), of("knee_girth") + 0.02));
+  const double hemRound = wish.hem.value_or(round(of("ankle_girth") + 0.14, of("ankle_girth") + 0.10));
   if (Done done = of.enough(); !done) return done.error();
+  const bool toKnee = inside > knee + 0.05;
+  if (kneeRound < of("knee_girth"))
+    return refused(say("The knee is {0} cm round; trousers are no narrower there.", centimetresOf(of("knee_girth"))));
+  if (toKnee && hemRound < of("ankle_girth"))
+    return refused(say("The ankle is {0} cm round; trousers are no narrower there.", centimetresOf(of("ankle_girth"))));
+  const double kneeHalf = kneeRound / 4, hemHalf = hemRound / 4;
   Draft draft;
   draft.height = worn.height;
   for (const bool front : {true, false}) {
@@ -185,10 +206,13 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
     const Flat kneeOut{crease + kneeW, -knee}, kneeIn{crease - kneeW, -knee};
     const Flat hemOut{crease + hemW, hem}, hemIn{crease - hemW, hem};
     const Flat tip{-fork, -seat}, seatCentre{0 - room / 4, -high};
-    const bool toKnee = inside > knee + 0.05;
     const Flat outEnd = toKnee ? hemOut : lerp(hipSide, kneeOut, (inside - high) / (knee - high));
     const Flat inEnd = toKnee ? hemIn : lerp(tip, kneeIn, (inside - seat) / (knee - seat));
-    const Flat footOut{outEnd.u, hem}, footIn{inEnd.u, hem};
+    Flat footOut{outEnd.u, hem}, footIn{inEnd.u, hem};
+    if (!toKnee && wish.hem) {  // about the middle of the leg
+      const double middle = (footOut.u + footIn.u) / 2;
+      footOut.u = middle + hemW, footIn.u = middle - hemW;
+    }
     const Flat lowOut = toKnee ? kneeOut : footOut, lowIn = toKnee ? kneeIn : footIn;
     std::vector<Curve> outseam, inseam;
     if (toKnee) outseam.push_back(Curve::line(footOut, kneeOut));

@@ -270,6 +270,53 @@ Result<Draft> sleevesFor(const Document& before, const Measured& of, const Block
   return draft;
 }
 
+// The open waist of what is there above it, on one side of front or back: unsewn edges called hem or waist, with cloth
+// above them, that stand at the waist. Nothing where there is none.
+std::optional<BlockWish::Waist> openWaist(const Document& document, const Body& body, const std::string& part) {
+  constexpr double kAtWaist = 0.05, kOffCentre = 1e-4, kDartOpens = 1e-4;  // metres
+  const auto waist = body.measured().value.find("waist_height");
+  if (waist == body.measured().value.end()) return std::nullopt;
+  for (const auto& [id, piece] : document.pattern.pieces) {
+    const bool half = piece->name.ends_with(part + "_left");
+    if (!half && !piece->name.ends_with(part)) continue;
+    std::vector<Curve> run;  // from the centre on
+    for (const Edge& edge : piece->outline.edges) {
+      if (!edge.name.starts_with("hem") && !edge.name.starts_with("waist")) continue;
+      Curve curve = edge.curve;
+      if (!(curve.end.u > curve.start.u)) continue;  // outlines run counter-clockwise: there is cloth below it
+      if (std::fabs(Stand(*piece)(curve.atFraction(0.5)).y - waist->second) > kAtWaist) continue;
+      if (!seamsOn(document, {{PieceRef(id), edge.name}}).empty()) return std::nullopt;
+      const bool across = curve.start.u < -kOffCentre && curve.end.u > kOffCentre;
+      if (across) curve = curve.part(curve.parameterAt(curve.length() / 2), 1);
+      if (!half && curve.end.u <= kOffCentre) continue;
+      run.push_back(curve);
+    }
+    if (run.empty()) continue;
+    const bool towards = half && std::fabs(run.back().end.u) < std::fabs(run.front().start.u);  // the centre
+    if (towards) {
+      std::reverse(run.begin(), run.end());
+      for (Curve& curve : run) curve = curve.reversed();
+    }
+    BlockWish::Waist found{run.front().length(), std::nullopt};
+    for (std::size_t k = 1; k < run.size(); ++k) {
+      if (!found.side && distance(run[k - 1].end, run[k].start) > kDartOpens) found.side = 0;
+      (found.side ? *found.side : found.centre) += run[k].length();
+    }
+    return found;
+  }
+  return std::nullopt;
+}
+std::optional<BlockWish::Waists> openWaists(const Document& document, const Body& body) {
+  const auto front = openWaist(document, body, "front"), back = openWaist(document, body, "back");
+  return front && back ? std::optional(BlockWish::Waists{*front, *back}) : std::nullopt;
+}
+
+// What the waist of a skirt can be: not so loose that it would hold nowhere by itself.
+bool isNearWaist(const BlockWish::Waists& waists, const Measured& of) {
+  constexpr double kLooser = 0.08;  // metres
+  return std::fabs(2 * (waists.front.whole() + waists.back.whole()) - skirtWaist(of)) < kLooser;
+}
+
 // A stand round the neckline that is there.
 Result<Draft> collarFor(const Document& before, const BlockWish& wish) {
   std::vector<EdgeRef> run;
@@ -309,6 +356,25 @@ Done resolve(const Document& before, DraftBlock& op, Context& context) {
   if (op.worn == DraftBlock::Worn::Auto && !context.recorded && lower) op.worn = DraftBlock::Worn::Holds;
   const bool upper = op.kind == Kind::Bodice || op.kind == Kind::Shirt || op.kind == Kind::Sleeve;
   if (op.armhole == Choice::Auto && !context.recorded && upper) op.armhole = Choice::Yes;
+  if ((op.knee || op.hem || op.legs == Choice::Yes) && op.kind != Kind::Trousers)
+    return refused(
+        say("Only trousers have a width at the knee and the hem of a leg; leave knee=, hem= and legs= away."));
+  for (const auto& width : {op.knee, op.hem})
+    if (width && !(*width >= 0.1 && *width <= 3)) return refused(say("A leg is 10 cm to 3 m wide."));
+  if (op.legs == Choice::Auto && !context.recorded && op.kind == Kind::Trousers) op.legs = Choice::Yes;
+  if (op.meets == Choice::Yes && op.kind != Kind::Skirt)
+    return refused(say("Only a skirt meets a bodice at the waist; leave meets= away."));
+  if (op.kind == Kind::Skirt && !context.recorded && op.meets != Choice::No) {
+    const auto waists = openWaists(before, **body);
+    if (op.meets == Choice::Yes && !waists)
+      return refused(
+          say("There is no open waist that a skirt could meet; one is edges called hem or waist of a front "
+              "and a back, at the height of the waist."));
+    if (op.meets == Choice::Auto) {
+      const bool held = op.worn == DraftBlock::Worn::Waist || op.worn == DraftBlock::Worn::Holds;
+      op.meets = waists && held && isNearWaist(*waists, Measured(**body)) ? Choice::Yes : Choice::Auto;
+    }
+  }
   if (!op.fabric.empty()) return checkFabricName(before, op.fabric);
   return {};
 }
@@ -323,6 +389,10 @@ Result<Document> perform(const Document& before, const DraftBlock& op, Context& 
   wish.belly = op.belly == Choice::Yes;
   if (op.worn != DraftBlock::Worn::Auto) wish.worn = op.worn;
   wish.armhole = op.armhole == Choice::Yes;
+  if (op.knee) wish.knee = op.knee->metres;
+  if (op.hem) wish.hem = op.hem->metres;
+  wish.legs = op.legs == Choice::Yes;
+  if (op.meets == Choice::Yes) wish.meets = openWaists(before, **body);
   Result<Draft> draft = refused(say("There is no such block."));
   switch (op.kind) {
     case Kind::Bodice:

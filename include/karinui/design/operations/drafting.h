@@ -107,6 +107,8 @@ struct DraftBlock {
   Choice belly = Choice::Auto;
   enum class Worn { Auto, Holds, Waist, HighHip } worn = Worn::Auto;
   Choice armhole = Choice::Auto;
+  std::optional<Length> knee, hem;
+  Choice legs = Choice::Auto, meets = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("kind", self.kind, "bodice, sleeve, skirt, trousers, leggings, shirt or collar", kNeeded);
@@ -134,6 +136,18 @@ struct DraftBlock {
         "the armhole of a bodice or a shirt is at least 12 cm longer than the upper arm is round, its underarm as low "
         "as that takes: auto, yes, no (auto: yes, but no in a record that does not have it)",
         kOptional);
+    visit("knee", self.knee, "of trousers: how wide a leg is round the knee (otherwise by the block's own rule)",
+          kOptional);
+    visit("hem", self.hem, "of trousers: how wide a leg is round the hem (otherwise by the block's own rule)",
+          kOptional);
+    visit("legs", self.legs,
+          "knee and hem of trousers are wider or narrower as the hip is by its ease: auto, yes, no (auto: yes, but no "
+          "in a record that does not have it)",
+          kOptional);
+    visit("meets", self.meets,
+          "the waist of a skirt is as long as the open waist of a bodice that is there, and its darts go on in the "
+          "bodice's: auto, yes, no (auto: yes where a bodice fits, but no in a record that does not have it)",
+          kOptional);
   }
   bool operator==(const DraftBlock&) const = default;
 };

@@ -1,0 +1,135 @@
+// How wide the legs of trousers are drafted, and a skirt that is sewn to a bodice.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "design/workroom.h"
+#include "karinui/pattern/seam_walk.h"
+#include "karinui/pattern/truing.h"
+
+namespace karinui {
+namespace {
+
+Workroom& draftingRoom() {
+  static Workroom room;  // the figure is built once
+  return room;
+}
+
+Document drafted(const std::string& script, bool recorded = false) {
+  Document document;
+  const auto lines = parseScript("body size=eu38\n" + script);
+  EXPECT_TRUE(lines);
+  Context& context = draftingRoom().context;
+  context.recorded = recorded;
+  for (const ScriptLine& line : *lines) {
+    auto next = apply(document, line.operation, context);
+    EXPECT_TRUE(next) << text(next.error().what);
+    if (next) document = *std::move(next);
+  }
+  context.recorded = false;
+  return document;
+}
+std::string refusedFor(const std::string& line) {
+  Context& context = draftingRoom().context;
+  const auto body = apply({}, op("body size=eu38"), context);
+  const auto made = apply(*body, op(line), context);
+  return made ? "" : text(made.error().what);
+}
+
+// How wide a leg is all round, so far below the waist.
+double legRound(const Document& document, double down) {
+  double sum = 0;
+  for (const char* name : {"leg_front_left", "leg_back_left"}) {
+    const Piece& piece = *document.pieceNamed(name);
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Flat p : piece.outline.flattened(1e-4))
+      if (std::fabs(p.v + down) < 0.004) low = std::min(low, p.u), high = std::max(high, p.u);
+    sum += high - low;
+  }
+  return sum;
+}
+double hemRound(const Document& document) {
+  return findEdge(*document.pieceNamed("leg_front_left"), "hem")->curve.length() +
+         findEdge(*document.pieceNamed("leg_back_left"), "hem")->curve.length();
+}
+
+// Wide trousers are wide down to their hem, as the hip is; tight ones stay passable for knee and heel. A record of
+// before keeps its knee and hem.
+TEST(TrousersBlock, IsAsWideBelowAsItsEase) {
+  const Document usual = drafted("block kind=trousers trued=no"),
+                 wide = drafted("block kind=trousers ease=20cm trued=no"),
+                 old = drafted("block kind=trousers ease=20cm trued=no", true),
+                 own = drafted("block kind=trousers ease=20cm legs=no trued=no"),
+                 tight = drafted("block kind=trousers ease=-20cm trued=no");
+  const auto body = *bodyOf(usual, draftingRoom().context);
+  const auto& measures = body->measured().value;
+  const double hip = measures.at("hip_girth"), share = (hip + 0.20) / (hip + 0.06);
+  EXPECT_NEAR(hemRound(usual), measures.at("ankle_girth") + 0.14, 1e-6);
+  EXPECT_NEAR(hemRound(wide), share * hemRound(usual), 1e-6);
+  EXPECT_EQ(hemRound(old), hemRound(usual));
+  EXPECT_EQ(hemRound(own), hemRound(usual));
+  EXPECT_NEAR(hemRound(tight), measures.at("ankle_girth") + 0.10, 1e-6);
+  const double knee = measures.at("waist_height") - measures.at("knee_height");
+  EXPECT_NEAR(legRound(wide, knee), share * legRound(usual, knee), 0.004);
+}
+
+TEST(TrousersBlock, HasTheWidthsThatAreAskedFor) {
+  const Document legs = drafted("block kind=trousers knee=56cm hem=60cm trued=no"),
+                 shorts = drafted("block kind=trousers length=45cm hem=70cm trued=no");
+  EXPECT_NEAR(hemRound(legs), 0.60, 1e-6);
+  const auto body = *bodyOf(legs, draftingRoom().context);
+  const double knee = body->measured().value.at("waist_height") - body->measured().value.at("knee_height");
+  EXPECT_NEAR(legRound(legs, knee), 0.56, 0.002);
+  EXPECT_NEAR(hemRound(shorts), 0.70, 1e-6);
+  EXPECT_THAT(refusedFor("block kind=trousers knee=20cm"), testing::HasSubstr("no narrower there"));
+  EXPECT_THAT(refusedFor("block kind=skirt hem=60cm"), testing::HasSubstr("Only trousers"));
+  EXPECT_THAT(refusedFor("block kind=trousers hem=5cm"), testing::HasSubstr("10 cm to 3 m"));
+}
+
+// A dress in one line: the skirt is as long at the waist as the bodice, front and back, and its darts go on in the
+// bodice's. A skirt alone, one that is told not to, and one of a record of before have their own waist.
+TEST(SkirtBlock, MeetsTheBodiceAtTheWaist) {
+  const std::string sewn = "sew a=\"front.hem* back.hem*\" b=\"skirt_front.waist* skirt_back.waist*\" name=waist";
+  const Document dress = drafted("block kind=bodice\nblock kind=skirt\n" + sewn);
+  for (const SeamTruing& seam : truing(dress.pattern, dress.eases).seams) EXPECT_TRUE(seam.fits()) << text(seam.seam);
+  // The rings are not turned against each other, whichever edge each is begun with.
+  const Seam& ring = std::find_if(dress.pattern.seams.begin(), dress.pattern.seams.end(), [](const auto& seam) {
+                       return seam.second.name == "waist";
+                     })->second;
+  const SeamSides sides(dress.pattern, ring);
+  for (const double share : {0.1, 0.3, 0.6, 0.9}) {
+    const auto stands = [&](const SeamPlace& at) {
+      const Piece& piece = *dress.find(at.piece);
+      return Stand(piece)(findEdge(piece, at.edge)->curve.atFraction(at.fraction));
+    };
+    EXPECT_LT(distance(stands(sides.a.at(share)), stands(sides.b.at(share))), 0.06);
+  }
+  const auto middleToDart = [](const Piece& piece, const std::string& edge) {
+    for (const Edge& one : piece.outline.edges)
+      if (one.name.starts_with(edge) && std::fmin(std::fabs(one.curve.start.u), std::fabs(one.curve.end.u)) < 1e-6)
+        return one.curve.length();
+    return 0.0;
+  };
+  for (const std::string part : {"front", "back"})
+    EXPECT_NEAR(middleToDart(*dress.pieceNamed("skirt_" + part), "waist"), middleToDart(*dress.pieceNamed(part), "hem"),
+                1e-3);
+  const auto waist = [](const Document& document) {
+    double sum = 0;
+    for (const char* name : {"skirt_front", "skirt_back"})
+      for (const Edge& edge : document.pieceNamed(name)->outline.edges)
+        if (edge.name.starts_with("waist")) sum += edge.curve.length();
+    return sum;
+  };
+  const double alone = waist(drafted("block kind=skirt"));
+  EXPECT_EQ(waist(drafted("block kind=bodice\nblock kind=skirt meets=no")), alone);
+  EXPECT_EQ(waist(drafted("block kind=bodice trued=yes\nblock kind=skirt trued=yes worn=holds belly=yes", true)),
+            alone);
+  EXPECT_GT(waist(dress), alone + 0.01);
+  // Longer than the waist, or too loose to be worn at it, there is nothing to meet.
+  EXPECT_EQ(waist(drafted("block kind=bodice length=20cm\nblock kind=skirt")), alone);
+  EXPECT_EQ(waist(drafted("block kind=bodice ease=40cm\nblock kind=skirt")), alone);
+  EXPECT_THAT(refusedFor("block kind=skirt meets=yes"), testing::HasSubstr("no open waist"));
+  EXPECT_THAT(refusedFor("block kind=trousers meets=yes"), testing::HasSubstr("Only a skirt"));
+}
+
+}  // namespace
+}  // namespace karinui
