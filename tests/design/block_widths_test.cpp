@@ -80,6 +80,11 @@ TEST(TrousersBlock, HasTheWidthsThatAreAskedFor) {
   const double knee = body->measured().value.at("waist_height") - body->measured().value.at("knee_height");
   EXPECT_NEAR(legRound(legs, knee), 0.56, 0.002);
   EXPECT_NEAR(hemRound(shorts), 0.70, 1e-6);
+  const Document wide = drafted("block kind=trousers length=70cm knee=70cm hem=80cm");
+  for (const char* name : {"leg_front_left", "leg_back_left"}) {
+    const Stand stand(*wide.pieceNamed(name));
+    for (const Flat p : wide.pieceNamed(name)->outline.flattened(1e-3)) EXPECT_GT(stand(p).x, 0.01) << name;
+  }
   EXPECT_THAT(refusedFor("block kind=trousers knee=20cm"), testing::HasSubstr("no narrower there"));
   EXPECT_THAT(refusedFor("block kind=skirt hem=60cm"), testing::HasSubstr("Only trousers"));
   EXPECT_THAT(refusedFor("block kind=trousers hem=5cm"), testing::HasSubstr("10 cm to 3 m"));

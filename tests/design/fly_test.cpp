@@ -53,7 +53,7 @@ TEST(Fly, HasItsPaper) {
   DocumentFile file = DocumentFile::inMemory();
   ASSERT_TRUE(room.play(
       file, std::string(kTrousers) + "fly a=leg_front_left.crotch b=leg_front_right.crotch length=14cm width=3cm\n"));
-  const Document& document = file.document();
+  const Document document = file.document();
   const Piece &front = *document.pieceNamed("leg_front_left"), &facing = *document.pieceNamed("fly_facing"),
               &shield = *document.pieceNamed("fly_shield");
   EXPECT_NEAR(findEdge(facing, "crotch")->curve.length(), 0.155, 1e-3);
@@ -65,10 +65,20 @@ TEST(Fly, HasItsPaper) {
   EXPECT_THAT(wornInsideOut(document.pattern), testing::ElementsAre(facing.id));
   EXPECT_THAT(laidWithin(document.pattern), testing::ElementsAre(facing.id, shield.id));
   // The seam below the zip stays sewn; a waistband goes on over the facing's upper edge.
+  // It begins at the zip, wherever it is named from, with its lap there.
+  std::string told;
+  room.context.advise = [&](const Advice& advice) { told += text(advice.what); };
   const Done band = room.play(file,
-                              "band name=waistband depth=4cm sew=yes of=\"leg_front_right.waist* leg_back_right.waist* "
-                              "leg_back_left.waist* leg_front_left.waist*\"\n");
+                              "band name=waistband depth=4cm sew=yes extra=4cm of=\"leg_front_left.waist* "
+                              "leg_front_right.waist* leg_back_right.waist* leg_back_left.waist*\"\n");
   EXPECT_TRUE(band) << text(band.error().what);
+  EXPECT_EQ(told, "");
+  const Document& banded = file.document();
+  const auto sewn = std::find_if(banded.pattern.seams.begin(), banded.pattern.seams.end(), [&](const auto& seam) {
+                      return seam.second.a.front().piece == banded.pieceNamed("waistband")->id;
+                    })->second;
+  EXPECT_EQ(sewn.b.front().piece, banded.pieceNamed("leg_front_right")->id);
+  EXPECT_EQ(sewn.b.back().piece, banded.pieceNamed("leg_front_left")->id);
 }
 
 }  // namespace

@@ -231,7 +231,9 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
                      {"waist", Curve::line(side, centre)},
                      {"crotch", Curve::joined(crotch)},
                      {"inseam", Curve::joined(inseam)}}};
-    const std::string name = addLeg(draft, front, std::move(outline), fork + 0.015);
+    // Wide legs stand farther apart, or they would stand through each other.
+    const double besideMiddle = std::fmax(fork, -std::fmin(footIn.u, lowIn.u)) + 0.015;
+    const std::string name = addLeg(draft, front, std::move(outline), besideMiddle);
     if (q.dart >= kLeastDart)
       draft.darts.push_back({name, "waist", 0.5, q.dart, {lean + 0.5 * q.waist, -(front ? 0.4 : 0.5) * high}, "dart"});
   }

@@ -257,7 +257,6 @@ void decideClear(double turn, Choice& clear, const Context& context) {
   if (clear == Choice::Auto && !context.recorded && turn > std::numbers::pi / 2) clear = Choice::Yes;
 }
 
-// A run that closes a ring, beginning where the garment opens: behind the first place that nothing holds together.
 std::vector<EdgeRef> fromOpening(const Document& document, std::vector<EdgeRef> run) {
   if (!follows(document, run.back(), run.front())) return run;
   for (std::size_t k = 0; k < run.size(); ++k) {

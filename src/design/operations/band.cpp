@@ -55,6 +55,8 @@ Done resolve(const Document& before, DrawBand& op, Context& context) {
     return refused(
         say("One end of “{0}” lies on top, {1} or {2}; “{3}” is neither.", op.name, op.edges[1], op.edges[3], op.wrap));
   if (!op.sew) return {};
+  // A ring that opens somewhere, as at a fly, is begun there, wherever it is named from.
+  if (!context.recorded && goesOnSewn(before, op.of.back(), op.of.front())) op.of = fromOpening(before, op.of);
   if (Done done = decideRound(before, op.of, op.round, context); !done) return done;
   for (const EdgeRef& edge : op.of)
     for (const SeamId id : seamsOn(before, {edge}))

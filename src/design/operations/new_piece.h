@@ -37,6 +37,8 @@ struct SpaceRun {
 // Edges of outlines in the order in which each goes on where the one before ends, as they are named where that is so;
 // nothing: they are no run in any order. A ring that was not named in order begins where the garment opens.
 std::optional<std::vector<EdgeRef>> asOneRun(const Document& document, const std::vector<EdgeRef>& edges);
+// A run that closes a ring, begun behind the first place that nothing holds together; as it is where there is none.
+std::vector<EdgeRef> fromOpening(const Document& document, std::vector<EdgeRef> run);
 // Puts a run in the outlines' own order; refuses edges that do not follow each other.
 Done orderRun(const Document& before, std::vector<EdgeRef>& run);
 SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run);
