@@ -48,6 +48,34 @@ TEST(StudioFastenings, AZipInASeamByTheRightButton) {
   EXPECT_NEAR(length(pattern, side->second.a), 0.25, 1e-6);
 }
 
+// On an edge that runs down and is sewn to another piece the menu offers a fly; Enter makes all of it.
+TEST(StudioFastenings, AFlyOverASewnEdgeByTheRightButton) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  for (const char* line : {"rectangle name=over width=20cm height=45cm", "rectangle name=under width=20cm height=45cm",
+                           "sew a=over.side_right b=under.side_left name=middle"})
+    w.session().perform(*parseOperation(line)), w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Select);
+  const std::size_t before = w.count();
+  menuOn(w, "over", "side_right");
+  ASSERT_TRUE(choose(w, "Fly…")) << w.main().said().toStdString();
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(numbers.line("length").text(), "15 cm");
+    EXPECT_EQ(numbers.line("width").text(), "3.5 cm");
+    numbers.accept();
+  }
+  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("fly "));
+  const Document& document = w.session().snapshot().document;
+  EXPECT_TRUE(document.pieceNamed("fly_facing") && document.pieceNamed("fly_shield"));
+  EXPECT_TRUE(document.allowances.fastenings.contains("fly"));
+}
+
 // One edge chosen, the right button on the other; the same menu opens them again, and the edge's board tells of them.
 TEST(StudioFastenings, ButtonsBetweenTwoEdgesByTheRightButton) {
   KARINUI_NEEDS_DISPLAY();
