@@ -41,6 +41,7 @@ struct FirstStand {
   std::optional<BodyPoint> at;  // wrapped: the paper place `point` comes there
   Flat point;
   double ease = 0.01;
+  bool taper = false;   // wrapped: as a tube that narrows with the limb
   double x = 0, z = 0;  // flat: carried so far to the left and forward; behind it is turned round
   double lean = 0;      // flat: radians by which its lower end goes farther to that side, as a leg does, or less far
 };

@@ -73,7 +73,7 @@ Result<Draft> sleeveDraft(const Measured& of, const BlockWish& wish, Armhole arm
                         {"under_front", Curve::line({-half, 0}, {-foot, -below})}};
   BodyPoint at;
   at.part = BodyPoint::Part::LeftArm, at.along = 1.15, at.around = 0.25;
-  left.stands.at = at, left.stands.ease = 0.008;
+  left.stands.at = at, left.stands.ease = 0.008, left.stands.taper = true;
   draft.pieces = {left, {"sleeve_right", {}, {}, {}, {}, "sleeve_left"}};
   for (const std::string side : {"left", "right"}) {
     const PieceRef sleeve("sleeve_" + side);

@@ -315,6 +315,7 @@ TermTable fieldTerms() {
       {"stretch_weft", say("Stretch, weft")},
       {"symmetric", say("On both halves")},
       {"symmetric.draw", say("Half of a symmetric piece")},
+      {"taper.block", say("Sleeves follow the arm")},
       {"taper.pleat", say("Wider below, by each fold")},
       {"taper_length", say("Widest at (from the edge)")},
       {"thickness", say("Thickness")},

@@ -114,6 +114,7 @@ class Made {
       place.at = *draft.stands.at;
       place.point = draft.stands.point;
       place.ease = Length{draft.stands.ease};
+      place.taper = draft.stands.taper && op_.taper == Choice::Yes;
       place.cone = Choice::No;
       place.over = op_.over;
       auto stood = placed(document_, std::move(piece), place, body_);
@@ -362,6 +363,9 @@ Done resolve(const Document& before, DraftBlock& op, Context& context) {
   for (const auto& width : {op.knee, op.hem})
     if (width && !(*width >= 0.1 && *width <= 3)) return refused(say("A leg is 10 cm to 3 m wide."));
   if (op.legs == Choice::Auto && !context.recorded && op.kind == Kind::Trousers) op.legs = Choice::Yes;
+  const bool sleeves = op.kind == Kind::Sleeve || op.kind == Kind::Shirt;
+  if (op.taper == Choice::Yes && !sleeves) return refused(say("Only sleeves stand tapered; leave taper= away."));
+  if (op.taper == Choice::Auto && !context.recorded && sleeves) op.taper = Choice::Yes;
   if (op.meets == Choice::Yes && op.kind != Kind::Skirt)
     return refused(say("Only a skirt meets a bodice at the waist; leave meets= away."));
   if (op.kind == Kind::Skirt && !context.recorded && op.meets != Choice::No) {

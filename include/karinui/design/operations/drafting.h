@@ -108,7 +108,7 @@ struct DraftBlock {
   enum class Worn { Auto, Holds, Waist, HighHip } worn = Worn::Auto;
   Choice armhole = Choice::Auto;
   std::optional<Length> knee, hem;
-  Choice legs = Choice::Auto, meets = Choice::Auto;
+  Choice legs = Choice::Auto, meets = Choice::Auto, taper = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("kind", self.kind, "bodice, sleeve, skirt, trousers, leggings, shirt or collar", kNeeded);
@@ -147,6 +147,10 @@ struct DraftBlock {
     visit("meets", self.meets,
           "the waist of a skirt is as long as the open waist of a bodice that is there, and its darts go on in the "
           "bodice's: auto, yes, no (auto: yes where a bodice fits, but no in a record that does not have it)",
+          kOptional);
+    visit("taper", self.taper,
+          "sleeves stand before they are sewn up as tubes that narrow with the arm and follow its bend: auto, yes, no "
+          "(auto: yes, but no in a record that does not have it)",
           kOptional);
   }
   bool operator==(const DraftBlock&) const = default;
