@@ -98,6 +98,7 @@ TEST_F(Network, NoVerbOpensASocket) {
            {"import", in("d.dxf") + to("imported.karinui")},
            {"body make", " --size jis9ar" + to("body.obj")},
            {"body measure", in("body.obj")},
+           {"body sizes", ""},
            {"fabric measure", " --swatch 100x100 --mass 1.5"},
            {"serve", "", asked},
            {"batch plan", in("d.ops") + in("people.csv") + to("batch")},
