@@ -90,8 +90,14 @@ Result<Measurements> builtInSize(std::string_view name) {
         return Measurements{
             series.sex,
             {{"bust_girth", size.bust}, {"waist_girth", size.waist}, {"hip_girth", size.hip}, {"height", size.height}}};
-  std::string names;
-  for (const std::string_view known : builtInSizes()) names += (names.empty() ? "" : ", ") + std::string(known);
+  const auto listed = [](std::string_view beginning) {
+    std::string names;
+    for (const std::string_view known : builtInSizes())
+      if (known.starts_with(beginning)) names += (names.empty() ? "" : ", ") + std::string(known);
+    return names;
+  };
+  std::string names = wanted.empty() ? "" : listed(wanted);  // "eu44": a woman's or a man's
+  if (names.empty()) names = listed("");
   return notFound(say("There is no size called \"{0}\". Sizes: {1}.", name.substr(0, 80), names));
 }
 

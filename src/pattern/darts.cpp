@@ -61,6 +61,13 @@ std::vector<PaperDart> dartsOf(const Pattern& pattern) {
   return all;
 }
 
+std::optional<PaperDart> dartWithLeg(const Pattern& pattern, PieceId piece, std::string_view leg) {
+  const auto& edges = pattern.pieces.at(piece)->outline.edges;
+  for (const PaperDart& dart : dartsOf(pattern))
+    if (dart.piece == piece && (edges[dart.to].name == leg || edges[dart.back].name == leg)) return dart;
+  return std::nullopt;
+}
+
 bool DoubleDart::folded() const { return distance(left, right) <= kWidestFolded; }
 
 std::vector<DoubleDart> doubleDartsOf(const Pattern& pattern) {

@@ -1,7 +1,9 @@
 #pragma once
 // Darts of a pattern: wedges whose two legs are sewn to each other. A narrow one is folded, not cut out: the paper goes
 // on across its mouth. Metres on paper. Pure; any thread.
+#include <optional>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "karinui/pattern/piece.h"
@@ -16,6 +18,7 @@ struct PaperDart {
   bool folded() const;           // narrow enough
 };
 std::vector<PaperDart> dartsOf(const Pattern& pattern);
+std::optional<PaperDart> dartWithLeg(const Pattern& pattern, PieceId piece, std::string_view leg);
 
 // A dart with two points, as in the waist of a shirt or a dress without a waist seam: a hole that one seam closes.
 struct DoubleDart {

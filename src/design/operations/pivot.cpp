@@ -8,15 +8,6 @@ namespace karinui {
 
 namespace {
 
-std::optional<PaperDart> dartWith(const Document& document, const EdgeRef& side) {
-  const Outline& outline = document.find(side.piece.id)->outline;
-  for (const PaperDart& dart : dartsOf(document.pattern))
-    if (dart.piece == side.piece.id &&
-        (outline.edges[dart.to].name == side.edge || outline.edges[dart.back].name == side.edge))
-      return dart;
-  return std::nullopt;
-}
-
 // The other half's edge that was meant where a dart and the edge it is moved to lie on different halves of the piece,
 // and both halves are to be changed alike: two such cuts would cross on the centre. Nothing: they lie on one half.
 std::optional<std::string> edgeOnItsHalf(const Outline& outline, const PaperDart& dart, const EdgeRef& to, double at) {
@@ -65,7 +56,7 @@ Done resolve(const Document& before, PivotDart& op, Context& context) {
   if (Done done = resolve(before, op.to); !done) return done;
   const Piece& piece = *before.find(op.dart.piece.id);
   if (op.dart.piece != op.to.piece) return refused(say("A dart is moved to another edge of its own piece."));
-  const auto dart = dartWith(before, op.dart);
+  const auto dart = dartWithLeg(before.pattern, op.dart.piece.id, op.dart.edge);
   if (!dart) return refused(say("“{0}” of {1} is no side of a dart.", op.dart.edge, piece.name));
   op.dart.edge = piece.outline.edges[dart->to].name;
   if (!piece.outline.find(op.to.edge)) return refused(say("A dart is moved to another edge of its own piece."));

@@ -11,15 +11,6 @@ namespace {
 
 constexpr double kFarthestShift = 1;  // metres
 
-std::optional<PaperDart> dartOfSide(const Document& document, const EdgeRef& side) {
-  const Outline& outline = document.find(side.piece.id)->outline;
-  for (const PaperDart& dart : dartsOf(document.pattern))
-    if (dart.piece == side.piece.id &&
-        (outline.edges[dart.to].name == side.edge || outline.edges[dart.back].name == side.edge))
-      return dart;
-  return std::nullopt;
-}
-
 Result<Document> shifted(const Document& before, PieceId id, const std::string& leg, double by) {
   const Piece piece = *before.find(id);
   auto moved = shiftDart(piece, leg, by);
@@ -60,7 +51,7 @@ Done resolve(const Document& before, ShiftDart& op, Context& context) {
   if (op.by == 0.0 || !(std::fabs(op.by) <= kFarthestShift))
     return refused(say("A dart is moved along its edge by up to 1 m, not by {0} mm.", fixed(op.by * 1e3, 1)));
   const Piece& piece = *before.find(op.dart.piece.id);
-  const auto dart = dartOfSide(before, op.dart);
+  const auto dart = dartWithLeg(before.pattern, op.dart.piece.id, op.dart.edge);
   if (!dart) return refused(say("“{0}” of {1} is no side of a dart.", op.dart.edge, piece.name));
   const auto& edges = piece.outline.edges;
   op.dart.edge = edges[dart->to].name;
@@ -74,7 +65,8 @@ Done resolve(const Document& before, ShiftDart& op, Context& context) {
 Result<Document> perform(const Document& before, const ShiftDart& op, Context& context) {
   const PieceId id = op.dart.piece.id;
   const Outline outline = before.find(id)->outline;
-  const double by = op.by * *direction(outline, *dartOfSide(before, op.dart), op.towards);
+  const double by =
+      op.by * *direction(outline, *dartWithLeg(before.pattern, op.dart.piece.id, op.dart.edge), op.towards);
   auto after = shifted(before, id, op.dart.edge, by);
   if (after && op.symmetric == Choice::Yes) {
     const auto symmetry = symmetryOf(outline);
