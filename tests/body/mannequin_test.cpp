@@ -89,9 +89,9 @@ TEST_P(Sizes, APlaceIsFoundAgainFromItsDescription) {
 
 INSTANTIATE_TEST_SUITE_P(Body, Sizes, testing::Values("jis9ar", "eu38", "eu50", "large", "child110"));
 
-class EachOf : public testing::TestWithParam<SizeSystem> {};
+class EachSizeOf : public testing::TestWithParam<SizeSystem> {};
 
-TEST_P(EachOf, TheSizesMeetsTheTape) {
+TEST_P(EachSizeOf, MeetsTheTape) {
   for (const SizeSeries& series : sizeSeries()) {
     if (series.system != GetParam()) continue;
     for (const BuiltInSize& size : series.sizes) {
@@ -103,7 +103,7 @@ TEST_P(EachOf, TheSizesMeetsTheTape) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Body, EachOf,
+INSTANTIATE_TEST_SUITE_P(Body, EachSizeOf,
                          testing::Values(SizeSystem::JisWomen, SizeSystem::EuWomen, SizeSystem::EuMen,
                                          SizeSystem::JisMen, SizeSystem::Misses, SizeSystem::Children));
 
