@@ -1,8 +1,12 @@
 // karinui-room [FILE]: the fitting in a headset. See printHelp() for its words.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <span>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "documents_folder.h"
 #include "karinui/base/file.h"
@@ -43,7 +47,106 @@ struct Call {
   ProgramOptions program;
   std::string file, size;
   int threads = 0;
+  bool wantsHelp = false;
 };
+
+// The language first: what is wrong with the rest is said in it.
+Language languageOf(std::span<const std::string> words) {
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+    if (words[i] == "--language" && (words[i + 1] == "en" || words[i + 1] == "ja"))
+      return words[i + 1] == "ja" ? Language::Japanese : Language::English;
+  return spokenHere();
+}
+
+Result<PoseScript> scriptFrom(const std::string& file) {
+  const auto bytes = readFile(file, std::size_t{64} << 20);
+  if (!bytes) return inFile(file, bytes.error());
+  auto script = parsePoseScript(*bytes);
+  if (!script) return inFile(file, script.error());
+  return script;
+}
+
+// Takes the option with its value; false: the value cannot be given to it.
+Result<bool> takeOption(Call& call, const std::string& option, const std::string& value) {
+  const auto oneOf = [&](const char* a, const char* b) { return value == a || value == b; };
+  if (option == "--scale") {
+    call.program.room.scale = value == "table" ? Scale::TableTop : Scale::One;
+    return oneOf("one", "table");
+  }
+  if (option == "--language") return oneOf("en", "ja");
+  if (option == "--share") {
+    call.program.share = value == "window" ? ProgramOptions::Share::Window : ProgramOptions::Share::Windowless;
+    return oneOf("window", "windowless");
+  }
+  if (option == "--threads") {
+    call.threads = std::atoi(value.c_str());
+    return call.threads >= 1 && call.threads <= 1024;
+  }
+  if (option == "--new") {
+    call.size = value;
+    const auto sizes = builtInSizes();
+    return std::find(sizes.begin(), sizes.end(), value) != sizes.end();
+  }
+  if (option == "--headless-test") {
+    std::error_code trouble;
+    if (!value.empty()) std::filesystem::create_directories(value, trouble);
+    call.program.headless = value;
+    return !value.empty() && !trouble;
+  }
+  if (option == "--script") {
+    auto script = scriptFrom(value);
+    if (!script) return script.error();
+    call.program.script = *std::move(script);
+    return true;
+  }
+  return refused(say("karinui-room does not know “{0}”; try karinui-room --help.", option));
+}
+
+Result<Call> parse(std::span<const std::string> words) {
+  Call call;
+  call.program.room.language = languageOf(words);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == "--help" || word == "-h") {
+      call.wantsHelp = true;
+    } else if (word == "--left") {
+      call.program.room.left = true;
+    } else if (word == "--seated") {
+      call.program.room.posture.seated = true;
+    } else if (word == "--json") {
+      call.program.json = true;
+    } else if (word.starts_with("-")) {
+      const std::string value = i + 1 < words.size() ? words[++i] : "";
+      const auto taken = takeOption(call, word, value);
+      if (!taken) return taken.error();
+      if (!*taken) return refused(say("“{0}” cannot be given to {1}; try karinui-room --help.", value, word));
+    } else {
+      call.file = word;
+    }
+  }
+  if (call.program.headless && !call.program.script)  // a look round: hands that point at the fitting, and one picture
+    call.program.script =
+        *parsePoseScript("0 right 0.2 1.2 -0.2 1 0 0 0\n0 left -0.2 1.2 -0.2 1 0 0 0\n30 picture look\n36 end\n");
+  return call;
+}
+
+// The document of the call, or a new garment in it or in a draft.
+Done openGarment(Session& session, const Call& call, bool there) {
+  if (there && !call.size.empty())
+    return refused(say("“{0}” is there already; leave out --new to open it.", call.file));
+  if (there) {
+    session.open(call.file);
+  } else {
+    if (!call.file.empty()) session.create(call.file);
+    SetBody body;
+    body.size = call.size.empty() ? std::string(kUsualSize) : call.size;
+    session.perform(body);
+  }
+  session.finish();
+  for (const Notice& notice : session.takeNotices())
+    if (notice.kind == Notice::Kind::Refused) return refused(notice.what);
+  return {};
+}
 
 }  // namespace
 
@@ -51,77 +154,18 @@ int main(int argc, char** argv) {
   keepFreedMemory();
   // The loader's own words are for engineers; ours say what to do. Whoever wants both sets it.
   ::setenv("XR_LOADER_DEBUG", "none", 0);
-  Call call;
-  call.program.room.language = spokenHere();
-  const auto refuse = [&](const Message& why) {
-    std::fprintf(stderr, "%s\n", text(why, call.program.room.language).c_str());
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const Language language = languageOf(words);
+  const auto refuse = [&](const Error& why) {
+    std::fprintf(stderr, "%s\n", text(why.what, language).c_str());
     return kWrongCall;
   };
-  bool wantsHelp = false;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const auto value = [&]() -> std::string { return i + 1 < argc ? argv[++i] : ""; };
-    const auto oneOf = [&](const std::string& said, const char* a, const char* b) { return said == a || said == b; };
-    const auto wrong = [&](const std::string& said) {
-      return refuse(say("“{0}” cannot be given to {1}; try karinui-room --help.", said, word));
-    };
-    if (word == "--help" || word == "-h") {
-      wantsHelp = true;
-    } else if (word == "--left") {
-      call.program.room.left = true;
-    } else if (word == "--seated") {
-      call.program.room.posture.seated = true;
-    } else if (word == "--json") {
-      call.program.json = true;
-    } else if (word == "--scale") {
-      const std::string said = value();
-      if (!oneOf(said, "one", "table")) return wrong(said);
-      call.program.room.scale = said == "table" ? Scale::TableTop : Scale::One;
-    } else if (word == "--language") {
-      const std::string said = value();
-      if (!oneOf(said, "en", "ja")) return wrong(said);
-      call.program.room.language = said == "ja" ? Language::Japanese : Language::English;
-    } else if (word == "--share") {
-      const std::string said = value();
-      if (!oneOf(said, "window", "windowless")) return wrong(said);
-      call.program.share = said == "window" ? ProgramOptions::Share::Window : ProgramOptions::Share::Windowless;
-    } else if (word == "--threads") {
-      const std::string said = value();
-      call.threads = std::atoi(said.c_str());
-      if (call.threads < 1 || call.threads > 1024) return wrong(said);
-    } else if (word == "--new") {
-      call.size = value();
-      const auto sizes = builtInSizes();
-      if (std::find(sizes.begin(), sizes.end(), call.size) == sizes.end()) return wrong(call.size);
-    } else if (word == "--headless-test") {
-      const std::string said = value();
-      std::error_code trouble;
-      if (said.empty()) return wrong(said);
-      std::filesystem::create_directories(said, trouble);
-      if (trouble) return wrong(said);
-      call.program.headless = said;
-    } else if (word == "--script") {
-      const std::string said = value();
-      const auto bytes = readFile(said, std::size_t{64} << 20);
-      if (!bytes) return refuse(inFile(said, bytes.error()).what);
-      auto script = parsePoseScript(*bytes);
-      if (!script) return refuse(inFile(said, script.error()).what);
-      call.program.script = std::move(*script);
-    } else if (word.starts_with("-")) {
-      return refuse(say("karinui-room does not know “{0}”; try karinui-room --help.", word));
-    } else {
-      call.file = word;
-    }
-  }
-  if (wantsHelp) {
-    printHelp(call.program.room.language);
+  Result<Call> parsed = parse(words);
+  if (!parsed) return refuse(parsed.error());
+  Call call = *std::move(parsed);
+  if (call.wantsHelp) {
+    printHelp(language);
     return 0;
-  }
-  if (call.program.headless && !call.program.script) {
-    // A look round: hands that point at the fitting, and one picture.
-    auto look =
-        parsePoseScript("0 right 0.2 1.2 -0.2 1 0 0 0\n0 left -0.2 1.2 -0.2 1 0 0 0\n30 picture look\n36 end\n");
-    call.program.script = std::move(*look);
   }
 
   SessionOptions options;
@@ -134,23 +178,7 @@ int main(int argc, char** argv) {
   Session session(options);
   std::error_code none;
   const bool there = !call.file.empty() && std::filesystem::exists(call.file, none);
-  if (there && !call.size.empty()) return refuse(say("“{0}” is there already; leave out --new to open it.", call.file));
-  if (there) {
-    session.open(call.file);
-  } else {
-    if (!call.file.empty()) session.create(call.file);
-    SetBody body;
-    body.size = call.size.empty() ? std::string(kUsualSize) : call.size;
-    session.perform(body);
-  }
-  session.finish();
-  bool refusedAny = false;
-  for (const Notice& notice : session.takeNotices()) {
-    if (notice.kind != Notice::Kind::Refused) continue;
-    std::fprintf(stderr, "%s\n", text(notice.what, call.program.room.language).c_str());
-    refusedAny = true;
-  }
-  if (refusedAny) return kWrongCall;
+  if (const Done opened = openGarment(session, call, there); !opened) return refuse(opened.error());
   const int code = RoomProgram(session, std::move(call.program)).run();
   // A draft that was begun for nothing, as where there is no headset, is not left behind.
   if (!there && session.draft() && session.steps().size() <= 1 && session.undone().empty() &&

@@ -424,15 +424,42 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
           [this, near] { askNumbers(gradedCorner(session_->snapshot().document, near)); });
   offer(menu, say("Notch there"), notch);
   offer(menu, say("Dart there"), dart);
-  for (const PaperDart& other : dartsOf(session_->snapshot().document.pattern)) {
+  addDartOperations(menu, near, share);
+  const Document& document = session_->snapshot().document;
+  if (led && led->piece == near.piece && led->edge != near.edge) addSpreads(menu, near, share, *led);
+  menu.addSeparator();
+  const std::vector<EdgeRef> run = runThrough(document, ref);
+  addRunOperations(menu, ref, run);
+  offer(menu, say("Pleats…"), [this, ref] { askNumbers(pleatsIn(session_->snapshot().document, ref)); });
+  if (led && document.find(led->piece) &&
+      (led->piece != near.piece || led->edge != near.edge || std::fabs(led->fraction - near.fraction) > kApart))
+    offer(menu, say("Strap from {0} to here…", edgeSaid(document, {PieceRef(led->piece), led->edge})),
+          [this, led, near] { askNumbers(strapBetween(session_->snapshot().document, *led, near)); });
+  if (led && led->piece != near.piece && document.find(led->piece)) addPartnerOperations(menu, near, *led);
+  for (const SeamId id : seamsOn(document, {ref}))
+    offer(menu, say("Zip in seam {0}…", seamSaid(document, *document.find(id))),
+          [this, id] { askNumbers(zipIn(session_->snapshot().document, id)); });
+  if (const auto fly = flyAt(document, ref)) offer(menu, say("Fly…"), [this, fly] { askNumbers(*fly); });
+  for (const MergePieces& merge : mergesAlong(document, ref))
+    offer(menu, say("Merge with {0} along the seam", nameSaid(document.find(merge.b.front().piece.id)->name)), merge);
+  addFasteningOperations(menu, near);
+  if (unfolded(*piece, near.edge) && seamsOn(document, {ref}).empty())
+    offer(menu, say("Unfold on it: both halves"), UnfoldPiece{ref});
+  menu.addSeparator();
+}
+
+void MainWindow::addDartOperations(QMenu& menu, const EdgeNear& near, double share) {
+  const Document& document = session_->snapshot().document;
+  const Piece* piece = document.find(near.piece);
+  for (const PaperDart& other : dartsOf(document.pattern)) {
     const auto& edges = piece->outline.edges;
     if (other.piece != near.piece || edges[other.to].name == near.edge || edges[other.back].name == near.edge) continue;
     PivotDart pivot;
     pivot.dart = {PieceRef(near.piece), edges[other.to].name};
-    pivot.to = ref, pivot.at = share;
+    pivot.to = {PieceRef(near.piece), near.edge}, pivot.at = share;
     offer(menu, say("Move {0} there", nameSaid(edges[other.to].name)), pivot);
   }
-  for (const PaperDart& own : dartsOf(session_->snapshot().document.pattern)) {
+  for (const PaperDart& own : dartsOf(document.pattern)) {
     const auto& edges = piece->outline.edges;
     const std::size_t n = edges.size();
     if (own.piece != near.piece || (edges[own.to].name != near.edge && edges[own.back].name != near.edge)) continue;
@@ -446,61 +473,59 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
       const bool centre = symmetry && distance(symmetry->image(end), end) < 1e-5;
       offer(menu,
             centre ? say("Move the dart along its edge towards the centre…")
-                   : say("Move the dart along its edge towards {0}…",
-                         edgeNameSaid(session_->snapshot().document, *piece, shift.towards)),
+                   : say("Move the dart along its edge towards {0}…", edgeNameSaid(document, *piece, shift.towards)),
             [this, shift] { askNumbers(shift); });
     }
   }
+}
+
+// Between the edge and one of the same piece that was chosen before.
+void MainWindow::addSpreads(QMenu& menu, const EdgeNear& near, double share, const EdgeNear& led) {
   const Document& document = session_->snapshot().document;
-  if (led && led->piece == near.piece && led->edge != near.edge)
-    if (const Edge* other = findEdge(*piece, led->edge)) {
-      SlashAndSpread spread;
-      spread.from = ref, spread.at = share;
-      spread.to = {PieceRef(near.piece), led->edge};
-      spread.toAt = toMillimetre(led->fraction, other->curve.length());
-      offer(menu, say("Slash to {0} and spread or fold out…", edgeSaid(document, spread.to)),
-            [this, spread] { askNumbers(spread); });
-      AddPleat pleat;  // soft below where it is sewn, as of a peg-top skirt
-      pleat.edge = ref, pleat.at = share, pleat.hold = 0;
-      pleat.to = spread.to, pleat.toAt = spread.toAt;
-      offer(menu, say("Pleat that runs out at {0}…", edgeSaid(document, pleat.to)),
-            [this, pleat] { askNumbers(pleat); });
-    }
-  menu.addSeparator();
+  const Piece* piece = document.find(near.piece);
+  const Edge* other = piece ? findEdge(*piece, led.edge) : nullptr;
+  if (!other) return;
+  SlashAndSpread spread;
+  spread.from = {PieceRef(near.piece), near.edge}, spread.at = share;
+  spread.to = {PieceRef(near.piece), led.edge};
+  spread.toAt = toMillimetre(led.fraction, other->curve.length());
+  offer(menu, say("Slash to {0} and spread or fold out…", edgeSaid(document, spread.to)),
+        [this, spread] { askNumbers(spread); });
+  AddPleat pleat;  // soft below where it is sewn, as of a peg-top skirt
+  pleat.edge = spread.from, pleat.at = share, pleat.hold = 0;
+  pleat.to = spread.to, pleat.toAt = spread.toAt;
+  offer(menu, say("Pleat that runs out at {0}…", edgeSaid(document, pleat.to)), [this, pleat] { askNumbers(pleat); });
+}
+
+// With an edge of another piece that was chosen before.
+void MainWindow::addPartnerOperations(QMenu& menu, const EdgeNear& near, const EdgeNear& led) {
+  const Document& document = session_->snapshot().document;
+  const EdgeRef ref{PieceRef(near.piece), near.edge};
   const std::vector<EdgeRef> run = runThrough(document, ref);
-  addRunOperations(menu, ref, run);
-  offer(menu, say("Pleats…"), [this, ref] { askNumbers(pleatsIn(session_->snapshot().document, ref)); });
-  if (led && document.find(led->piece) &&
-      (led->piece != near.piece || led->edge != near.edge || std::fabs(led->fraction - near.fraction) > kApart))
-    offer(menu, say("Strap from {0} to here…", edgeSaid(document, {PieceRef(led->piece), led->edge})),
-          [this, led, near] { askNumbers(strapBetween(session_->snapshot().document, *led, near)); });
-  if (led && led->piece != near.piece && document.find(led->piece)) {
-    const EdgeRef own{PieceRef(led->piece), led->edge};
-    AttachPiece attach;
-    attach.edge = own;
-    attach.to = run;
-    SewEdges sew;
-    sew.a = {own};
-    sew.b = run;
-    const Message chosen = edgeSaid(document, own);
-    offer(menu, say("Buttons or a zip with {0}…", chosen),
-          [this, own, ref] { askNumbers(fastenedTo(session_->snapshot().document, own, ref)); });
-    offer(menu, say("Lead {0} along it", chosen), attach);
-    if (seamsOn(document, {own}).empty() && seamsOn(document, {ref}).empty())
-      offer(menu, say("Merge with {0}, laid against it", nameSaid(document.find(led->piece)->name)),
-            MergePieces{{ref}, {own}});
-    if (seamsOn(document, {own}).empty() && seamsOn(document, run).empty())
-      offer(menu, say("Lead {0} along it and sew", chosen), [this, attach, sew] {
-        session_->perform(attach);
-        session_->perform(sew);
-      });
-  }
-  for (const SeamId id : seamsOn(document, {ref}))
-    offer(menu, say("Zip in seam {0}…", seamSaid(document, *document.find(id))),
-          [this, id] { askNumbers(zipIn(session_->snapshot().document, id)); });
-  if (const auto fly = flyAt(document, ref)) offer(menu, say("Fly…"), [this, fly] { askNumbers(*fly); });
-  for (const MergePieces& merge : mergesAlong(document, ref))
-    offer(menu, say("Merge with {0} along the seam", nameSaid(document.find(merge.b.front().piece.id)->name)), merge);
+  const EdgeRef own{PieceRef(led.piece), led.edge};
+  AttachPiece attach;
+  attach.edge = own;
+  attach.to = run;
+  SewEdges sew;
+  sew.a = {own};
+  sew.b = run;
+  const Message chosen = edgeSaid(document, own);
+  offer(menu, say("Buttons or a zip with {0}…", chosen),
+        [this, own, ref] { askNumbers(fastenedTo(session_->snapshot().document, own, ref)); });
+  offer(menu, say("Lead {0} along it", chosen), attach);
+  if (seamsOn(document, {own}).empty() && seamsOn(document, {ref}).empty())
+    offer(menu, say("Merge with {0}, laid against it", nameSaid(document.find(led.piece)->name)),
+          MergePieces{{ref}, {own}});
+  if (seamsOn(document, {own}).empty() && seamsOn(document, run).empty())
+    offer(menu, say("Lead {0} along it and sew", chosen), [this, attach, sew] {
+      session_->perform(attach);
+      session_->perform(sew);
+    });
+}
+
+// Of those that are on the edge.
+void MainWindow::addFasteningOperations(QMenu& menu, const EdgeNear& near) {
+  const Document& document = session_->snapshot().document;
   for (const auto& [name, own] : document.allowances.fastenings) {
     const auto holds = [&](const EdgeSpan& span) { return span.piece == near.piece && span.edge == near.edge; };
     if (std::none_of(own.a.begin(), own.a.end(), holds) && std::none_of(own.b.begin(), own.b.end(), holds)) continue;
@@ -527,9 +552,6 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     offer(menu, open ? say("Close {0}", fasteningSaid(name)) : say("Open {0}", fasteningSaid(name)), turned);
     offer(menu, say("Take {0} out", fasteningSaid(name)), none);
   }
-  if (unfolded(*piece, near.edge) && seamsOn(document, {ref}).empty())
-    offer(menu, say("Unfold on it: both halves"), UnfoldPiece{ref});
-  menu.addSeparator();
 }
 
 void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {

@@ -118,6 +118,17 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 3);
 
+  makePieceBoard();
+  makeEdgeBoard();
+  below->addWidget(edgeBoard_);  // who chose an edge asks for its numbers first
+  below->addWidget(pieceBoard_);
+  below->addStretch(1);
+  connectTree();
+  connectPieceBoard();
+  connectEdgeBoard();
+}
+
+void GarmentPanel::makePieceBoard() {
   pieceBoard_ = new QWidget;
   auto* form = new QFormLayout(pieceBoard_);
   form->setContentsMargins(0, 0, 0, 0);
@@ -146,18 +157,20 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   form->addRow(word(say("Grain")), grain_);
   form->addRow(word(say("Layer")), layer_);
   form->addRow(word(say("Frozen")), frozen_);
-  cut_ = new CutBoard(session);
+  cut_ = new CutBoard(session_);
   form->addRow(word(say("Times cut")), cut_);
   form->addRow(word(say("Area")), area_);
-  look_ = new LookBoard(session, [this]() -> std::optional<SetLook> {
+  look_ = new LookBoard(session_, [this]() -> std::optional<SetLook> {
     SetLook look;
     for (const PieceId id : session_.selection().pieces) look.pieces.push_back(PieceRef(id));
     return look.pieces.empty() ? std::nullopt : std::optional(look);
   });
   form->addRow(look_);
+}
 
+void GarmentPanel::makeEdgeBoard() {
   edgeBoard_ = new QWidget;
-  form = new QFormLayout(edgeBoard_);
+  auto* form = new QFormLayout(edgeBoard_);
   form->setContentsMargins(0, 6, 0, 0);
   form->addRow(title(say("Edge")));
   edgeName_ = new QLineEdit;
@@ -178,9 +191,9 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
   several_->setProperty("role", "faint");
   form->addRow(several_);
   form->addRow(word(say("Name")), edgeName_);
-  stays_ = new LengthChoice(session);
+  stays_ = new LengthChoice(session_);
   form->addRow(word(say("Take in")), takeIn_);
-  takenIn_ = new TakeInBoard(session);
+  takenIn_ = new TakeInBoard(session_);
   form->addRow(takenIn_);
   form->addRow(word(say("Length")), length_);
   form->addRow(stays_);
@@ -190,69 +203,75 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
     longer_->setToolTip(inWords(
         say("Makes the chosen edges so much longer together, and what they are sewn to; less than nothing: shorter.")));
   });
-  longerHow_ = new LongerBoard(session);
+  longerHow_ = new LongerBoard(session_);
   form->addRow(word(say("Longer by")), longer_);
   form->addRow(longerHow_);
   form->addRow(word(say("From, across")), u_);
   form->addRow(word(say("From, up")), v_);
   form->addRow(word(say("Sewn to")), sewn_);
-  allowance_ = new AllowanceBoard(session);
-  numbers_ = new EdgeNumbers(session);
+  allowance_ = new AllowanceBoard(session_);
+  numbers_ = new EdgeNumbers(session_);
   form->addRow(numbers_);
   form->addRow(allowance_);
-  below->addWidget(edgeBoard_);  // who chose an edge asks for its numbers first
-  below->addWidget(pieceBoard_);
-  below->addStretch(1);
+}
 
+void GarmentPanel::connectTree() {
   tree_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(tree_, &QTreeWidget::customContextMenuRequested, this,
           [this](QPoint at) { emit menuAsked(tree_->viewport()->mapToGlobal(at)); });
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, [this] {
-    if (filling_) return;
-    Selection selection;
-    QList<QTreeWidgetItem*> items = tree_->selectedItems();
-    // Several pieces can be chosen, or several edges; of anything else one: that which was clicked last.
-    QTreeWidgetItem* last = tree_->currentItem();
-    if (items.size() > 1 && last && last->isSelected()) {
-      const auto kind = [](const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).toInt(); };
-      const bool several = kind(last) == kPiece || kind(last) == kEdge;
-      items.removeIf(
-          [&](const QTreeWidgetItem* item) { return item != last && !(several && kind(item) == kind(last)); });
-      if (kind(last) == kEdge) items.removeOne(last), items.push_back(last);
-    }
-    for (const QTreeWidgetItem* item : items) {
-      const PieceId piece{item->data(0, Qt::UserRole + 1).toULongLong()};
-      switch (item->data(0, Qt::UserRole).toInt()) {
-        case kPiece:
-          selection.pieces.insert(piece);
-          break;
-        case kEdge:
-          selection.pieces.insert(piece);
-          if (selection.edge) selection.more.push_back(*selection.edge);
-          selection.edge = EdgeNear{piece, item->data(0, Qt::UserRole + 2).toString().toStdString(), 0.5, 0};
-          break;
-        case kMark:
-          selection.pieces.insert(piece);
-          selection.mark = Flat{item->data(0, Qt::UserRole + 3).toDouble(), item->data(0, Qt::UserRole + 4).toDouble()};
-          break;
-        case kLine:
-          selection.pieces.insert(piece);
-          selection.line = item->data(0, Qt::UserRole + 2).toString().toStdString();
-          break;
-        case kSeam:
-          selection.seam = SeamId{item->data(0, Qt::UserRole + 1).toULongLong()};
-          break;
-        default:
-          break;
-      }
-    }
-    session_.select(selection);
+    if (!filling_) session_.select(chosenInTree());
   });
-  const auto pieceChosen = [this]() -> const Piece* {  // alone
-    const auto pieces = chosenPieces();
-    return filling_ || pieces.size() != 1 ? nullptr : pieces.front();
-  };
-  connect(name_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
+}
+
+Selection GarmentPanel::chosenInTree() const {
+  Selection selection;
+  QList<QTreeWidgetItem*> items = tree_->selectedItems();
+  // Several pieces can be chosen, or several edges; of anything else one: that which was clicked last.
+  QTreeWidgetItem* last = tree_->currentItem();
+  if (items.size() > 1 && last && last->isSelected()) {
+    const auto kind = [](const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).toInt(); };
+    const bool several = kind(last) == kPiece || kind(last) == kEdge;
+    items.removeIf([&](const QTreeWidgetItem* item) { return item != last && !(several && kind(item) == kind(last)); });
+    if (kind(last) == kEdge) items.removeOne(last), items.push_back(last);
+  }
+  for (const QTreeWidgetItem* item : items) {
+    const PieceId piece{item->data(0, Qt::UserRole + 1).toULongLong()};
+    switch (item->data(0, Qt::UserRole).toInt()) {
+      case kPiece:
+        selection.pieces.insert(piece);
+        break;
+      case kEdge:
+        selection.pieces.insert(piece);
+        if (selection.edge) selection.more.push_back(*selection.edge);
+        selection.edge = EdgeNear{piece, item->data(0, Qt::UserRole + 2).toString().toStdString(), 0.5, 0};
+        break;
+      case kMark:
+        selection.pieces.insert(piece);
+        selection.mark = Flat{item->data(0, Qt::UserRole + 3).toDouble(), item->data(0, Qt::UserRole + 4).toDouble()};
+        break;
+      case kLine:
+        selection.pieces.insert(piece);
+        selection.line = item->data(0, Qt::UserRole + 2).toString().toStdString();
+        break;
+      case kSeam:
+        selection.seam = SeamId{item->data(0, Qt::UserRole + 1).toULongLong()};
+        break;
+      default:
+        break;
+    }
+  }
+  return selection;
+}
+
+// The chosen piece, if it is one alone.
+const Piece* GarmentPanel::pieceChosen() const {
+  const auto pieces = chosenPieces();
+  return filling_ || pieces.size() != 1 ? nullptr : pieces.front();
+}
+
+void GarmentPanel::connectPieceBoard() {
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
     name_->setModified(false);
     const Piece* piece = pieceChosen();
     const auto wanted = piece ? newName(*name_, piece->name, nameText(piece->name)) : std::nullopt;
@@ -287,7 +306,10 @@ GarmentPanel::GarmentPanel(Session& session, QWidget* in) : Panel(session, in) {
     const double a = degrees * std::numbers::pi / 180;
     session_.perform(SetGrain{chosenRefs(), {std::sin(a), std::cos(a)}});
   });
-  connect(edgeName_, &QLineEdit::editingFinished, this, [this, pieceChosen] {
+}
+
+void GarmentPanel::connectEdgeBoard() {
+  connect(edgeName_, &QLineEdit::editingFinished, this, [this] {
     edgeName_->setModified(false);
     const Piece* piece = pieceChosen();
     if (!piece || !session_.selection().edge) return;

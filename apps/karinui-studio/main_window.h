@@ -76,6 +76,20 @@ class MainWindow : public QMainWindow {
   void nameForScreenReaders();
   void makeActions();
   void makeMenus();
+  QMenu* newMenu(const Message& words);
+  QAction* add(QMenu* to, const Message& words, const char* icon, const char* key, std::function<void()> what);
+  std::vector<QAction*> makeFileMenu();
+  void makeEditMenu();
+  void makeWorkMenu();
+  void makePoseMenu(QMenu* poses);
+  void makeScanMenu(QMenu* scans);
+  void makeSizeMenu(QMenu* sizes);
+  void makeViewMenu();
+  void addFitMaps();
+  void addPreferences();
+  void addLanguages();
+  void makeHelpMenu();
+  void makeToolBars(const std::vector<QAction*>& ofFile);
   void refresh();
   void nameEdges();
   bool isOn(Command command) const;  // of an action with a check mark
@@ -123,6 +137,10 @@ class MainWindow : public QMainWindow {
   void offer(QMenu& menu, const Message& words, std::function<void()> what);
   // `led`: the edge that was chosen before, which may be led along this one.
   void addEdgeOperations(QMenu& menu, const EdgeNear& near, const std::optional<EdgeNear>& led);
+  void addDartOperations(QMenu& menu, const EdgeNear& near, double share);
+  void addSpreads(QMenu& menu, const EdgeNear& near, double share, const EdgeNear& led);
+  void addPartnerOperations(QMenu& menu, const EdgeNear& near, const EdgeNear& led);
+  void addFasteningOperations(QMenu& menu, const EdgeNear& near);
   void addRunOperations(QMenu& menu, const EdgeRef& ref, const std::vector<EdgeRef>& run);
   void addNewPieces(QMenu& pieces, QMenu& details);
   void addPieceOperations(QMenu& menu, const Selection& chosen);

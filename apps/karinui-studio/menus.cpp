@@ -87,23 +87,37 @@ void MainWindow::setFullScreen(bool on) {
   setWindowState(windowState().setFlag(Qt::WindowFullScreen, on));  // maximized or not as before, when it ends
 }
 
+// Of the menu bar.
+QMenu* MainWindow::newMenu(const Message& words) {
+  QMenu* made = menuBar()->addMenu(QString());
+  Theme::here().keep(made, [made, words] {  // Alt and the English word's first letter open it
+    const QString title = inWords(words), letter = QString::fromStdString(text(words)).left(1);
+    made->setTitle(title.startsWith(letter) ? "&" + title : title + "(&" + letter + ")");
+  });
+  return made;
+}
+
+QAction* MainWindow::add(QMenu* to, const Message& words, const char* icon, const char* key,
+                         std::function<void()> what) {
+  QAction* action = to->addAction(QString());
+  if (*key) action->setShortcut(QKeySequence(QString::fromLatin1(key)));
+  Theme::here().keep(action, words, words, icon);
+  connect(action, &QAction::triggered, this, [what = std::move(what)] { what(); });
+  return action;
+}
+
 void MainWindow::makeMenus() {
-  const auto menu = [this](const Message& words) {
-    QMenu* made = menuBar()->addMenu(QString());
-    Theme::here().keep(made, [made, words] {  // Alt and the English word's first letter open it
-      const QString title = inWords(words), letter = QString::fromStdString(text(words)).left(1);
-      made->setTitle(title.startsWith(letter) ? "&" + title : title + "(&" + letter + ")");
-    });
-    return made;
-  };
-  const auto add = [this](QMenu* to, const Message& words, const char* icon, const char* key, auto&& what) {
-    QAction* action = to->addAction(QString());
-    if (*key) action->setShortcut(QKeySequence(QString::fromLatin1(key)));
-    Theme::here().keep(action, words, words, icon);
-    connect(action, &QAction::triggered, this, what);
-    return action;
-  };
-  QMenu* file = menu(say("File"));
+  const std::vector<QAction*> ofFile = makeFileMenu();
+  makeEditMenu();
+  makeWorkMenu();
+  makeViewMenu();
+  makeHelpMenu();
+  makeToolBars(ofFile);
+}
+
+// Returns what stands on the toolbar, too.
+std::vector<QAction*> MainWindow::makeFileMenu() {
+  QMenu* file = newMenu(say("File"));
   QAction* fresh = add(file, say("New garment…"), "new", "Ctrl+N", [this] { askNew(); });
   QAction* open = add(file, say("Open…"), "open", "Ctrl+O", [this] { askOpen(); });
   recent_ = file->addMenu(QString());
@@ -140,8 +154,11 @@ void MainWindow::makeMenus() {
   file->addSeparator();
   add(file, say("Start page"), "", "Ctrl+W", [this] { showStart(); });
   add(file, say("Close"), "", "Ctrl+Q", [this] { close(); });
+  return {fresh, open, out};
+}
 
-  QMenu* edit = menu(say("Edit"));
+void MainWindow::makeEditMenu() {
+  QMenu* edit = newMenu(say("Edit"));
   for (const Command c : {Command::Undo, Command::Redo}) edit->addAction(actions_[c]);
   edit->addSeparator();
   edit->addAction(actions_[Command::SelectAll]);
@@ -163,8 +180,10 @@ void MainWindow::makeMenus() {
   });
   add(edit, say("Settings of the garment…"), "", "", [this] { askNumbers(settingsNow(*session_)); });
   add(edit, say("Keys…"), "", "", [this] { keysDialog(); });
+}
 
-  QMenu* work = menu(say("Work"));
+void MainWindow::makeWorkMenu() {
+  QMenu* work = newMenu(say("Work"));
   for (const CommandInfo& about : commands())
     if (isTool(about.command)) work->addAction(actions_[about.command]);
   work->addSeparator();
@@ -173,7 +192,31 @@ void MainWindow::makeMenus() {
   QMenu* details = work->addMenu(QString());
   Theme::here().keep(details, [details] { details->setTitle(inWords(say("Pleats, trims and fastenings"))); });
   addNewPieces(*pieces, *details);
-  QMenu* poses = work->addMenu(QString());
+  makePoseMenu(work->addMenu(QString()));
+  QMenu* blocks = work->addMenu(QString());
+  Theme::here().keep(blocks, [blocks] { blocks->setTitle(inWords(say("Ready blocks"))); });
+  fillBlocks(*blocks, *session_, [this] { askNumbers(DraftBlock{}); });
+  makeScanMenu(work->addMenu(QString()));
+  add(work, say("Make up the pattern…"), "", "", [this] {
+    if (session_->snapshot().document.pattern.pieces.empty())
+      return session_->refuse(refused(say("There is no piece yet; draw one on the body.")));
+    (new MakeUpDialog(*session_, this))->open();
+  })->setObjectName("make_up");
+  work->addSeparator();
+  makeSizeMenu(work->addMenu(QString()));
+  work->addAction(actions_[Command::Settle]);
+  work->addAction(actions_[Command::Confirm]);
+  work->addAction(actions_[Command::Cancel]);
+  work->addSeparator();
+  QAction* off = add(work, say("Emergency off"), "", "", [this] { force_->emergencyOff(!force_->isOff()); });
+  off->setObjectName("force_off");
+  off->setShortcuts({QKeySequence(Qt::Key_F9), QKeySequence(Qt::Key_Pause)});
+  off->setShortcutContext(Qt::ApplicationShortcut);  // also while a dialog is open
+  off->setCheckable(true);
+  connect(force_.get(), &ForceFeedback::changed, off, [this, off] { off->setChecked(force_->isOff()); });
+}
+
+void MainWindow::makePoseMenu(QMenu* poses) {
   poses->setObjectName("poses");
   Theme::here().keep(poses, [poses] { poses->setTitle(inWords(say("Pose"))); });
   for (const NamedPose& pose : namedPoses()) {
@@ -196,10 +239,9 @@ void MainWindow::makeMenus() {
     for (QAction* one : poses->actions())
       one->setEnabled(!session_->readOnly() && session_->snapshot().document.body.chosen());
   });
-  QMenu* blocks = work->addMenu(QString());
-  Theme::here().keep(blocks, [blocks] { blocks->setTitle(inWords(say("Ready blocks"))); });
-  fillBlocks(*blocks, *session_, [this] { askNumbers(DraftBlock{}); });
-  QMenu* scans = work->addMenu(QString());
+}
+
+void MainWindow::makeScanMenu(QMenu* scans) {
   scans->setObjectName("scans");
   Theme::here().keep(scans, [scans] { scans->setTitle(inWords(say("Scans to trace"))); });
   connect(scans, &QMenu::aboutToShow, this, [this, scans] {
@@ -211,13 +253,9 @@ void MainWindow::makeMenus() {
     for (const auto& [name, underlay] : session_->snapshot().document.underlays)
       addScanOperations(*scans->addMenu(nameText(name)), name);
   });
-  add(work, say("Make up the pattern…"), "", "", [this] {
-    if (session_->snapshot().document.pattern.pieces.empty())
-      return session_->refuse(refused(say("There is no piece yet; draw one on the body.")));
-    (new MakeUpDialog(*session_, this))->open();
-  })->setObjectName("make_up");
-  work->addSeparator();
-  QMenu* sizes = work->addMenu(QString());
+}
+
+void MainWindow::makeSizeMenu(QMenu* sizes) {
   sizes->setObjectName("sizes");
   Theme::here().keep(sizes, [sizes] { sizes->setTitle(inWords(say("Sizes"))); });
   connect(sizes, &QMenu::aboutToShow, this, [this, sizes] {
@@ -238,18 +276,10 @@ void MainWindow::makeMenus() {
     offer(*sizes, say("One size only"), one);
     sizes->addAction(findChild<QAction*>("nest"));
   });
-  work->addAction(actions_[Command::Settle]);
-  work->addAction(actions_[Command::Confirm]);
-  work->addAction(actions_[Command::Cancel]);
-  work->addSeparator();
-  QAction* off = add(work, say("Emergency off"), "", "", [this] { force_->emergencyOff(!force_->isOff()); });
-  off->setObjectName("force_off");
-  off->setShortcuts({QKeySequence(Qt::Key_F9), QKeySequence(Qt::Key_Pause)});
-  off->setShortcutContext(Qt::ApplicationShortcut);  // also while a dialog is open
-  off->setCheckable(true);
-  connect(force_.get(), &ForceFeedback::changed, off, [this, off] { off->setChecked(force_->isOff()); });
+}
 
-  viewMenu_ = menu(say("View"));
+void MainWindow::makeViewMenu() {
+  viewMenu_ = newMenu(say("View"));
   for (const Command c : {Command::ViewFront, Command::ViewBack, Command::ViewLeft, Command::ViewRight,
                           Command::ViewOblique, Command::ViewAll})
     viewMenu_->addAction(actions_[c]);
@@ -265,6 +295,21 @@ void MainWindow::makeMenus() {
   for (const Command c : {Command::HideArms, Command::HideHands, Command::HideHead, Command::Section,
                           Command::SectionBack, Command::SectionOn})
     viewMenu_->addAction(actions_[c]);
+  addFitMaps();
+  viewMenu_->addSeparator();
+  QMenu* beside = viewMenu_->addMenu(QString());
+  beside->setObjectName("beside");
+  Theme::here().keep(beside, [beside] { beside->setTitle(inWords(say("Beside it"))); });
+  connect(beside, &QMenu::aboutToShow, this, [this, beside] { findChild<Beside*>()->fill(*beside, this); });
+  makeStereoMenu();
+  fullScreen_ = add(viewMenu_, say("Full screen"), "", "F11", [this] { setFullScreen(!isFullScreen()); });
+  fullScreen_->setCheckable(true);
+  add(viewMenu_, say("Next part of the window"), "", "F6", [this] { goToNextPart(); });
+  addPreferences();
+  addLanguages();
+}
+
+void MainWindow::addFitMaps() {
   viewMenu_->addSeparator();
   const auto map = [&](const char* name, const Message& words, const char* key, FitMap which) {
     QAction* one = add(viewMenu_, words, "", key, [this, which] {  // a picture would stand in place of the tick
@@ -291,15 +336,10 @@ void MainWindow::makeMenus() {
     for (QAction* one : {motion, figures})
       one->setEnabled(document.body.chosen() && !document.pattern.pieces.empty() && session_->idle());
   });
-  viewMenu_->addSeparator();
-  QMenu* beside = viewMenu_->addMenu(QString());
-  beside->setObjectName("beside");
-  Theme::here().keep(beside, [beside] { beside->setTitle(inWords(say("Beside it"))); });
-  connect(beside, &QMenu::aboutToShow, this, [this, beside] { findChild<Beside*>()->fill(*beside, this); });
-  makeStereoMenu();
-  fullScreen_ = add(viewMenu_, say("Full screen"), "", "F11", [this] { setFullScreen(!isFullScreen()); });
-  fullScreen_->setCheckable(true);
-  add(viewMenu_, say("Next part of the window"), "", "F6", [this] { goToNextPart(); });
+}
+
+// What is kept for the next window.
+void MainWindow::addPreferences() {
   viewMenu_->addSeparator();
   QAction* dark = add(viewMenu_, say("Dark"), "", "", [] {
     Theme::here().setDark(!Theme::here().dark());
@@ -332,6 +372,9 @@ void MainWindow::makeMenus() {
   fine->setCheckable(true);
   fine->setChecked(QSettings().value("fine", true).toBool());
   space_->setFine(fine->isChecked());
+}
+
+void MainWindow::addLanguages() {
   viewMenu_->addSeparator();
   QAction* english = viewMenu_->addAction("English");
   QAction* japanese = viewMenu_->addAction(QString::fromUtf8("日本語"));
@@ -352,8 +395,10 @@ void MainWindow::makeMenus() {
     Theme::here().setLanguage(Language::Japanese);
     keepChosen("language", "ja");
   });
+}
 
-  QMenu* help = menu(say("Help"));
+void MainWindow::makeHelpMenu() {
+  QMenu* help = newMenu(say("Help"));
   add(help, say("A first garment, step by step"), "", "F1", [this] { startGuide(); });
   add(help, say("What was said…"), "", "", [this] { notices_->showAll(this); })->setObjectName("what_was_said");
   add(help, say("About Karinui"), "", "", [this] {
@@ -362,11 +407,13 @@ void MainWindow::makeMenus() {
         inWords(say("Karinui: made-to-measure clothes designed on the body, draped, and cut to paper patterns. "
                     "Apache-2.0; built with Qt (LGPL). Nothing is ever sent over a network.")));
   });
+}
 
+void MainWindow::makeToolBars(const std::vector<QAction*>& ofFile) {
   top_ = addToolBar("top");
   top_->setMovable(false);
   top_->setIconSize(QSize(22, 22));
-  for (QAction* a : {fresh, open, out}) top_->addAction(a);
+  for (QAction* a : ofFile) top_->addAction(a);
   top_->addSeparator();
   top_->addAction(actions_[Command::Undo]);
   top_->addAction(actions_[Command::Redo]);

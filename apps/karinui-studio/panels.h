@@ -70,6 +70,13 @@ class GarmentPanel : public Panel {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void makePieceBoard();
+  void makeEdgeBoard();
+  void connectTree();
+  void connectPieceBoard();
+  void connectEdgeBoard();
+  Selection chosenInTree() const;
+  const Piece* pieceChosen() const;
   void fillTree();
   void fillProperties();
   void fillPieces(const std::vector<const Piece*>& pieces);  // that are chosen

@@ -215,129 +215,169 @@ struct Making {
   bool stout = false;  // refused where the bust is a shelf of the ribs, off its usual height
 };
 
+// Solves for a figure, first on a coarse grid and then on fine ones, until the tape says what was asked for.
+class FigureFit {
+ public:
+  FigureFit(const Making& making, Figure drawn, double height, std::vector<Target> targets)
+      : making_(making), drawn_(std::move(drawn)), height_(height), solver_(solverFor(making, std::move(targets))) {}
+
+  Result<Drawn> run(Unmet& unmet) {
+    if (const Done ok = onCoarseGrid(unmet); !ok) return ok.error();
+    if (const Done ok = onFineGrids(unmet); !ok) return ok.error();
+    if (making_.stout)
+      for (const Residual& residual : residuals(solver_.targets(), now_.measured))
+        if (residual.key == "bust_height" && residual.relative > kBustMoved) return unsound();
+    return std::move(now_);
+  }
+
+ private:
+  static FigureSolver solverFor(const Making& making, std::vector<Target> targets) {
+    std::span<const Derivative> free;
+    Alteration start{{"shoulder_width", making.wider}};
+    if (making.belly > 0) {  // where it is, is where the waist is
+      std::erase_if(targets, [](const Target& target) { return target.key == "waist_height" && !target.stated; });
+      free = kBellysWaist;
+      start["belly_girth"] = making.belly;
+    }
+    FigureSolver solver(std::move(targets), free);
+    solver.startAt(start);
+    return solver;
+  }
+
+  // Keeps the last of the figures.
+  std::vector<std::optional<Anthropometry>> evaluate(std::span<const Alteration> ways) {
+    std::vector<std::optional<Anthropometry>> measured(ways.size());
+    const Token& token = making_.token;
+    tries_ += static_cast<int>(ways.size());
+    if (!token.cancelled()) token.progress(0.95 * (1 - std::exp(-0.06 * tries_)), say("Making the mannequin"));
+    const auto make = [&](std::size_t i, Workers& by) {
+      if (token.cancelled()) return;
+      const Grid grid{cell_ * (1 + 0.07 * shift_), shift_, polish_};
+      std::optional<Drawn> figure = drawnOn(grid, altered(drawn_, ways[i]), height_, by);
+      if (!figure) return;
+      measured[i] = figure->measured;
+      if (i + 1 == ways.size()) now_ = *std::move(figure);
+    };
+    if (ways.size() == 1)
+      make(0, making_.workers);
+    else
+      making_.workers.forBlocks(ways.size(), 1, [&](std::size_t begin, std::size_t) {
+        Workers alone;
+        make(begin, alone);
+      });
+    return measured;
+  }
+  bool makeBest() { return evaluate({&solver_.alteration(), 1}).front().has_value(); }
+  double solve(int rounds, double enough, int differences) {
+    return solver_.solve([this](std::span<const Alteration> ways) { return evaluate(ways); }, rounds, enough,
+                         differences);
+  }
+  Error notMade() const { return making_.token.cancelled() ? cancelled() : unsound(); }
+
+  Done onCoarseGrid(Unmet& unmet) {
+    far_ = solve(kCoarseRounds, kNear, 3);
+    if (far_ > kHopeless && !making_.token.cancelled()) {
+      shift_ = kShifts[1];  // where arms lie at the trunk the tape jumps: from there on another grid
+      far_ = solve(kCoarseRounds, kNear, 3);
+      shift_ = 0;
+      if (far_ <= kHopeless && !makeBest()) return unsound();  // on the usual grid, to count cells
+    }
+    if (making_.token.cancelled()) return cancelled();
+    if (far_ <= kHopeless) return {};
+    if (!makeBest()) return notMade();
+    unmet = unmetOf(solver_, now_.measured);
+    return unsound();
+  }
+
+  Done onFineGrids(Unmet& unmet) {
+    cell_ = std::max(kFine, kCoarse * std::sqrt(static_cast<double>(now_.mesh.faces.size()) / kTriangles));
+    polish_ = 4;
+    int missed = 0;
+    for (const double other : kShifts) {  // an awkward meeting of grid and surface: another grid
+      shift_ = other;
+      solve(kFineRounds, kGood, far_ > 1 && far_ < 3 ? 1 : 0);
+      if (making_.token.cancelled()) return cancelled();
+      if (!makeBest()) return notMade();
+      const bool met = worstResidual(solver_.targets(), now_.measured, true) <= 1;
+      if (met && sound(now_.mesh)) return {};
+      if (!met && allMeasured(solver_.targets(), now_.measured) && ++missed == kMostMissed) {
+        unmet = unmetOf(solver_, now_.measured);
+        return unsound();
+      }
+    }
+    return unsound();
+  }
+
+  const Making& making_;
+  const Figure drawn_;
+  const double height_;
+  FigureSolver solver_;
+  Drawn now_;  // the figure made last
+  double cell_ = kCoarse, shift_ = 0;
+  int polish_ = 2, tries_ = 0;
+  double far_ = 0;  // the worst residual on the coarse grid
+};
+
+// The landmarks that are on a dress form of this mesh.
+std::map<std::string, Vec3> landmarksOnForm(std::map<std::string, Vec3> landmarks, const TriangleMesh& form) {
+  // Where the hip is so low that the form closes groin and cleft there, its front and back lie on what closes them.
+  for (const SectionLoop& loop : section(form, {landmarks.at("hip_front"), {0, 1, 0}}))
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec3 a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
+      if ((a.x < 0) == (b.x < 0)) continue;
+      const Vec3 middle = lerp(a, b, a.x / (a.x - b.x));
+      Vec3& place = landmarks.at(a.x < 0 ? "hip_front" : "hip_back");  // counter-clockwise from above
+      if (distance(place, middle) > 1e-6) place = middle;
+    }
+  std::erase_if(landmarks, [](const auto& at) {
+    return std::any_of(std::begin(kOffForm), std::end(kOffForm),
+                       [&](std::string_view part) { return at.first.starts_with(part); });
+  });
+  return landmarks;
+}
+
+Result<BodyPtr> bodyOf(Drawn figure, Sex sex, double height, const Making& making) {
+  const auto& value = figure.measured.value;
+  Body::Parts parts;
+  parts.name = "mannequin";
+  parts.measured = {sex, value};
+  parts.landmarks = figure.measured.landmark;
+  parts.chart = chartOf(figure.figure, figure.measured);
+  if (making.ends == MannequinEnds::Modelled && value.contains("neck_height")) {
+    TriangleMesh whole = modelled(figure.drawn, figure.field, figure.figure, figure.stands, height,
+                                  value.at("neck_height"), making.workers);
+    if (!whole.faces.empty()) figure.mesh = std::move(whole);
+  }
+  if (making.ends == MannequinEnds::DressForm) {
+    const auto armpit = parts.landmarks.find("armpit_left");
+    if (!value.contains("neck_height") || armpit == parts.landmarks.end()) return unsound();
+    Plane neck = headOf(figure.figure, value.at("neck_height") / figure.stands.scale + figure.stands.low).cut;
+    neck.through = figure.stands.of(neck.through);
+    figure.mesh =
+        dressForm(figure.mesh, figure.stands.of(figure.figure.at), armpit->second, neck, value.at("crotch_height"));
+    if (!sound(figure.mesh)) return unsound();
+    parts.landmarks = landmarksOnForm(std::move(parts.landmarks), figure.mesh);
+  }
+  parts.mesh = std::move(figure.mesh);
+  return Body::make(std::move(parts));
+}
+
 Result<BodyPtr> made(const Measurements& wanted, const Making& making, Unmet& unmet) {
-  Workers& workers = making.workers;
-  const Token& token = making.token;
-  const MannequinEnds ends = making.ends;
   if (const Done ok = plausible(wanted); !ok) return ok.error();
   const auto keys = mannequinKeys();
-  for (const auto& [key, value] : wanted.value) {
+  for (const auto& [key, value] : wanted.value)
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       return refused(say("A mannequin cannot be made to {0}; it is only measured. Leave it out.", key));
-  }
   const SectionModel model = SectionModel::of(wanted.sex);
   const Measurements complete = model.completed(wanted);
   if (const Done ok = plausible(complete); !ok) return ok.error();
   if (model.distance(complete) > kMostUnlike) return unlikeSaid(model, wanted, complete);
   const double height = complete.value.at("height");
-  const Figure drawn = model.draw(complete);
+  Figure drawn = model.draw(complete);
   std::vector<Target> targets = targetsFor(wanted, complete, model, drawn.at);
-  std::span<const Derivative> free;
-  Alteration start{{"shoulder_width", making.wider}};
-  if (making.belly > 0) {  // where it is, is where the waist is
-    std::erase_if(targets, [](const Target& target) { return target.key == "waist_height" && !target.stated; });
-    free = kBellysWaist;
-    start["belly_girth"] = making.belly;
-  }
-  FigureSolver solver(std::move(targets), free);
-  solver.startAt(start);
-
-  Drawn now;  // the figure made last
-  double cell = kCoarse, shift = 0;
-  int polish = 2, tries = 0;
-  const FigureSolver::Evaluate evaluate = [&](std::span<const Alteration> ways) {
-    std::vector<std::optional<Anthropometry>> measured(ways.size());
-    tries += static_cast<int>(ways.size());
-    if (!token.cancelled()) token.progress(0.95 * (1 - std::exp(-0.06 * tries)), say("Making the mannequin"));
-    const auto make = [&](std::size_t i, Workers& by) {
-      if (token.cancelled()) return;
-      const Grid grid{cell * (1 + 0.07 * shift), shift, polish};
-      std::optional<Drawn> figure = drawnOn(grid, altered(drawn, ways[i]), height, by);
-      if (!figure) return;
-      measured[i] = figure->measured;
-      if (i + 1 == ways.size()) now = *std::move(figure);
-    };
-    if (ways.size() == 1)
-      make(0, workers);
-    else
-      workers.forBlocks(ways.size(), 1, [&](std::size_t begin, std::size_t) {
-        Workers alone;
-        make(begin, alone);
-      });
-    return measured;
-  };
-  const auto evaluateOne = [&](const Alteration& by) { return evaluate({&by, 1}).front(); };
-  double far = solver.solve(evaluate, kCoarseRounds, kNear, 3);
-  if (far > kHopeless &&
-      !token.cancelled()) {  // where arms lie at the trunk the tape jumps: from there on another grid
-    shift = kShifts[1];
-    far = solver.solve(evaluate, kCoarseRounds, kNear, 3);
-    shift = 0;
-    if (far <= kHopeless && !evaluateOne(solver.alteration())) return unsound();  // on the usual grid, to count cells
-  }
-  if (token.cancelled()) return cancelled();
-  const auto none = [&] { return token.cancelled() ? cancelled() : unsound(); };
-  if (far > kHopeless) {
-    if (!evaluateOne(solver.alteration())) return none();
-    unmet = unmetOf(solver, now.measured);
-    return unsound();
-  }
-  cell = std::max(kFine, kCoarse * std::sqrt(static_cast<double>(now.mesh.faces.size()) / kTriangles));
-  polish = 4;
-  bool met = false;
-  int missed = 0;
-  for (const double other : kShifts) {  // an awkward meeting of grid and surface: another grid
-    shift = other;
-    solver.solve(evaluate, kFineRounds, kGood, far > 1 && far < 3 ? 1 : 0);
-    if (token.cancelled()) return cancelled();
-    if (!evaluateOne(solver.alteration())) return none();
-    met = worstResidual(solver.targets(), now.measured, true) <= 1;
-    if (met && sound(now.mesh)) break;
-    if (!met && allMeasured(solver.targets(), now.measured) && ++missed == kMostMissed) {
-      unmet = unmetOf(solver, now.measured);
-      return unsound();
-    }
-    met = false;
-  }
-  if (!met) return unsound();
-  if (making.stout)
-    for (const Residual& residual : residuals(solver.targets(), now.measured))
-      if (residual.key == "bust_height" && residual.relative > kBustMoved) return unsound();
-
-  Body::Parts parts;
-  parts.name = "mannequin";
-  parts.measured = {wanted.sex, now.measured.value};
-  parts.landmarks = now.measured.landmark;
-  parts.chart = chartOf(now.figure, now.measured);
-  const auto& value = now.measured.value;
-  if (ends == MannequinEnds::Modelled && value.contains("neck_height")) {
-    TriangleMesh whole =
-        modelled(now.drawn, now.field, now.figure, now.stands, height, value.at("neck_height"), workers);
-    if (!whole.faces.empty()) now.mesh = std::move(whole);
-  }
-  if (ends == MannequinEnds::DressForm) {
-    const auto armpit = now.measured.landmark.find("armpit_left");
-    if (!value.contains("neck_height") || armpit == now.measured.landmark.end()) return unsound();
-    Plane neck = headOf(now.figure, value.at("neck_height") / now.stands.scale + now.stands.low).cut;
-    neck.through = now.stands.of(neck.through);
-    now.mesh = dressForm(now.mesh, now.stands.of(now.figure.at), armpit->second, neck, value.at("crotch_height"));
-    if (!sound(now.mesh)) return unsound();
-    // Where the hip is so low that the form closes groin and cleft there, its front and back lie on what closes them.
-    for (const SectionLoop& loop : section(now.mesh, {parts.landmarks.at("hip_front"), {0, 1, 0}}))
-      for (std::size_t i = 0; i < loop.points.size(); ++i) {
-        const Vec3 a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
-        if ((a.x < 0) == (b.x < 0)) continue;
-        const Vec3 middle = lerp(a, b, a.x / (a.x - b.x));
-        Vec3& place = parts.landmarks.at(a.x < 0 ? "hip_front" : "hip_back");  // counter-clockwise from above
-        if (distance(place, middle) > 1e-6) place = middle;
-      }
-    std::erase_if(parts.landmarks, [](const auto& at) {
-      return std::any_of(std::begin(kOffForm), std::end(kOffForm),
-                         [&](std::string_view part) { return at.first.starts_with(part); });
-    });
-  }
-  parts.mesh = std::move(now.mesh);
-  return Body::make(std::move(parts));
+  Result<Drawn> figure = FigureFit(making, std::move(drawn), height, std::move(targets)).run(unmet);
+  if (!figure) return figure.error();
+  return bodyOf(*std::move(figure), wanted.sex, height, making);
 }
 
 // The stated girth without which the others can be met: what the solver's slopes do not tell where it stopped far off.

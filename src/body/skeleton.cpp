@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "body/chart.h"
+#include "body/joints.h"
+#include "body/skin_fields.h"
 #include "karinui/base/number.h"
 #include "karinui/geometry/bvh.h"
 
@@ -18,30 +20,10 @@ namespace {
 constexpr double kShoulderOver = 0.09, kElbowOver = 0.075, kWristOver = 0.04, kHipOver = 0.125, kKneeOver = 0.09,
                  kAnkleOver = 0.042;
 constexpr double kShoulderThick = 1.9, kElbowThick = 2.6, kHipThick = 2, kKneeThick = 2.2;
-constexpr double kGroinSlope = 0.66;      // radians: how steeply the line from crotch to hip bone rises
-constexpr double kShoulderInside = 0.42;  // of the stretch at the shoulder, on the trunk's side of the armhole
-constexpr double kHipAbove = 0.55;        // of that at the hip, above the groin
-constexpr double kCrotchWide = 0.018;     // of the height: so far from the middle a leg's skin is wholly its own
-constexpr double kAboutArmhole = 0.05, kOffArmhole = 0.085;  // of the height: trunk skin that follows the arm
-constexpr int kEvened = 12;                                  // times a field is smoothed along the skin
 constexpr double kApart = 0.004;  // metres: hands, arms and thighs keep so far from other skin in a named pose
 constexpr double kShares[] = {1, 0.97, 0.94, 0.91};  // of the way into a named pose
-constexpr double kThickenedOver = 0.03;              // metres
-
-constexpr double kSoft = 0.2;
-// From 0 to 1 over [0, 1]: straight, with rounded ends. Its slope is 1.25 at the most.
-double bendRamp(double t) {
-  constexpr double kSlope = 1 / (1 - kSoft);
-  if (t <= 0) return 0;
-  if (t >= 1) return 1;
-  if (t < kSoft) return kSlope * t * t / (2 * kSoft);
-  if (t > 1 - kSoft) return 1 - kSlope * (1 - t) * (1 - t) / (2 * kSoft);
-  return kSlope * (t - kSoft / 2);
-}
 
 bool isRight(Joint joint) { return joint >= Joint::LeftShoulder && static_cast<int>(joint) % 2 == 0; }
-Joint sided(Joint left, int side) { return static_cast<Joint>(static_cast<int>(left) + side); }
-std::size_t index(Joint joint) { return static_cast<std::size_t>(joint); }
 
 Rigid about(Vec3 place, const Rigid& turn) {
   Rigid out = turn;
@@ -88,23 +70,6 @@ Rigid bent(Vec3 place, Vec3 bone, double length, const Motion& by, double u) {
   return out;
 }
 
-std::vector<std::vector<std::uint32_t>> neighboursOf(const TriangleMesh& mesh) {
-  std::vector<std::vector<std::uint32_t>> near(mesh.points.size());
-  for (const Triangle& f : mesh.faces)
-    for (int k = 0; k < 3; ++k) near[f[k]].push_back(f[(k + 1) % 3]);  // each edge from both its faces
-  return near;
-}
-
-double smooth(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
-double toSegment(Vec3 p, Vec3 a, Vec3 b) {
-  const double t = std::clamp(dot(p - a, b - a) / squaredLength(b - a), 0.0, 1.0);
-  return distance(p, lerp(a, b, t));
-}
-
 }  // namespace
 
 Result<std::shared_ptr<const Skeleton>> Skeleton::of(const BodyPtr& own) {
@@ -115,7 +80,10 @@ Result<std::shared_ptr<const Skeleton>> Skeleton::of(const BodyPtr& own) {
   std::shared_ptr<Skeleton> skeleton(new Skeleton());
   skeleton->own_ = own;
   skeleton->findJoints();
-  skeleton->findFields();
+  SkinFields fields = skinFields(*own, {skeleton->height_, skeleton->place_, skeleton->along_, skeleton->over_});
+  skeleton->field_ = std::move(fields.through);
+  skeleton->twist_ = std::move(fields.twist);
+  skeleton->apart_ = std::move(fields.apart);
   return std::shared_ptr<const Skeleton>(std::move(skeleton));
 }
 
@@ -167,118 +135,6 @@ void Skeleton::findJoints() {
     const Vec3 across{1, 0, 0};
     hinge_[index(sided(Joint::LeftKnee, side))] = normalized(across - thigh * dot(across, thigh));
     hinge_[index(sided(Joint::LeftAnkle, side))] = across * -1;
-  }
-}
-
-void Skeleton::findFields() {
-  const TriangleMesh& mesh = own_->mesh();
-  const std::size_t n = mesh.points.size();
-  const auto near = neighboursOf(mesh);
-  const auto chart = Body::chartFrom(own_->chartNumbers());
-  using Part = BodyPoint::Part;
-  for (std::size_t j = 0; j < kJoints; ++j) field_[j].assign(n, 0), twist_[j].assign(n, 0);
-  apart_.assign(n, 0);
-  std::vector<std::uint8_t> isArm(n, 0);
-
-  for (const int side : {0, 1}) {
-    const Part part = side ? Part::RightArm : Part::LeftArm;
-    const Joint shoulder = sided(Joint::LeftShoulder, side), elbow = sided(Joint::LeftElbow, side),
-                wrist = sided(Joint::LeftWrist, side);
-    const Vec3 top = place(shoulder), upper = along_[index(shoulder)];
-    const ChartRay cut = chart->at(part, 0), below = chart->at(part, 1);
-    const Vec3 outward = cut.normal;
-    // The armhole's plane runs through the armpit: half-way between shoulder joint and the first ring of the arm.
-    const auto mark = own_->landmarks().find(side ? "armpit_right" : "armpit_left");
-    const Vec3 armpit = mark != own_->landmarks().end() ? mark->second : lerp(top, below.from, 0.5);
-    const auto beyond = [&](Vec3 p) { return dot(p - armpit, outward); };
-    // Below the armpit, arm and trunk are told apart by the plane half-way between the arm and straight down.
-    const Vec3 half = normalized(upper + Vec3{0, -1, 0});
-    const Vec3 aside = normalized(Vec3{side ? -1.0 : 1.0, 0, 0} - half * dot(Vec3{side ? -1.0 : 1.0, 0, 0}, half));
-    const auto onArm = [&](Vec3 p) { return p.y < armpit.y ? dot(p - armpit, aside) > 0 : beyond(p) > 0; };
-    const Vec3 tip = chart->at(part, 4).from;
-    std::uint32_t first = 0;
-    for (std::uint32_t i = 0; i < n; ++i)
-      if (squaredLength(mesh.points[i] - tip) < squaredLength(mesh.points[first] - tip)) first = i;
-    std::vector<std::uint8_t> mine(n, 0);
-    std::vector<std::uint32_t> open{first};
-    mine[first] = 1;
-    while (!open.empty()) {
-      const std::uint32_t i = open.back();
-      open.pop_back();
-      for (const std::uint32_t j : near[i])
-        if (!mine[j] && onArm(mesh.points[j])) mine[j] = 1, open.push_back(j);
-    }
-    const double over = over_[index(shoulder)], inside = kShoulderInside * over;
-    const Vec3 crown = top + Vec3{0, 0.03 * height_, 0};
-    const double upperFrom = dot(below.from - top, upper), upperTo = dot(place(elbow) - top, upper);
-    const Vec3 fore = normalized(place(wrist) - place(elbow));
-    const double foreLength = distance(place(wrist), place(elbow));
-    const auto through = [&](Joint joint, Vec3 p) {
-      return bendRamp(dot(p - place(joint), along_[index(joint)]) / over_[index(joint)] + 0.5);
-    };
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const Vec3 p = mesh.points[i];
-      const double d = beyond(p);
-      double u = bendRamp((d + inside) / over);
-      if (!mine[i]) {
-        const double off = toSegment(p, armpit, crown);
-        u = std::min(u, bendRamp(inside / over)) *
-            (1 - smooth((off - kAboutArmhole * height_) / ((kOffArmhole - kAboutArmhole) * height_)));
-      } else {  // the armhole's plane is slanted: farther out the arm is cut across
-        u = std::max(u, bendRamp((dot(p - armpit, upper) + inside) / over));
-      }
-      field(shoulder)[i] = static_cast<float>(u);
-      if (!mine[i]) continue;
-      isArm[i] = 1;
-      twist_[index(shoulder)][i] =
-          static_cast<float>(bendRamp((dot(p - top, upper) - upperFrom) / (upperTo - upperFrom)));
-      field(elbow)[i] = static_cast<float>(through(elbow, p));
-      twist_[index(elbow)][i] = static_cast<float>(bendRamp(dot(p - place(elbow), fore) / foreLength));
-      field(wrist)[i] = static_cast<float>(through(wrist, p));
-      apart_[i] = static_cast<float>(smooth((dot(p - armpit, upper) - 0.03 * height_) / kThickenedOver));
-    }
-  }
-
-  const double crotch = chart->at(Part::Torso, 0).from.y;
-  const Vec3 middle = chart->at(Part::Torso, 0).from;
-  const Joint spine = Joint::Spine, neck = Joint::Neck;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const Vec3 p = mesh.points[i];
-    const auto through = [&](Joint joint) { return bendRamp((p.y - place(joint).y) / over_[index(joint)] + 0.5); };
-    field(spine)[i] = isArm[i] ? 1.0f : static_cast<float>(through(spine));
-    twist_[index(spine)][i] = field(spine)[i];
-    if (!isArm[i]) field(neck)[i] = twist_[index(neck)][i] = static_cast<float>(through(neck));
-    if (isArm[i]) continue;
-    const double wide = kCrotchWide * height_ * std::max(0.06, 1 - smooth((crotch - p.y) / (0.02 * height_)));
-    for (const int side : {0, 1}) {
-      const Joint hip = sided(Joint::LeftHip, side), knee = sided(Joint::LeftKnee, side),
-                  ankle = sided(Joint::LeftAnkle, side);
-      const double out = (p.x - middle.x) * (side ? -1 : 1);
-      const double share = smooth((out / wide + 1) / 2);
-      if (share <= 0) continue;
-      const double d = out * std::sin(kGroinSlope) - (p.y - crotch) * std::cos(kGroinSlope);
-      field(hip)[i] = static_cast<float>(share * bendRamp(d / over_[index(hip)] + kHipAbove));
-      if (p.y > crotch) continue;
-      twist_[index(hip)][i] = static_cast<float>(bendRamp((crotch - p.y) / (crotch - place(knee).y)));
-      field(knee)[i] =
-          static_cast<float>(bendRamp(dot(p - place(knee), along_[index(knee)]) / over_[index(knee)] + 0.5));
-      field(ankle)[i] = static_cast<float>(bendRamp((place(ankle).y - p.y) / over_[index(ankle)] + 0.5));
-      apart_[i] = static_cast<float>(0.5 * smooth((crotch - 0.04 * height_ - p.y) / kThickenedOver));
-    }
-  }
-
-  // Along the skin, where two rules meet.
-  for (const Joint joint : {Joint::LeftShoulder, Joint::RightShoulder, Joint::LeftHip, Joint::RightHip}) {
-    std::vector<float>& here = field(joint);
-    for (int k = 0; k < kEvened; ++k) {
-      const std::vector<float> before = here;
-      for (std::uint32_t i = 0; i < n; ++i) {
-        if (near[i].empty()) continue;
-        double sum = 0;
-        for (const std::uint32_t j : near[i]) sum += before[j];
-        here[i] = static_cast<float>(0.5 * before[i] + 0.5 * sum / static_cast<double>(near[i].size()));
-      }
-    }
   }
 }
 

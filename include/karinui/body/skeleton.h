@@ -41,9 +41,6 @@ class Skeleton {
   Skeleton() = default;
   std::size_t usualCrossings(bool apart) const;  // those of the own pose
   void findJoints();
-  void findFields();
-  std::vector<float>& field(Joint joint) { return field_[static_cast<std::size_t>(joint)]; }
-  const std::vector<float>& field(Joint joint) const { return field_[static_cast<std::size_t>(joint)]; }
 
   BodyPtr own_;
   double height_ = 0;
