@@ -35,13 +35,14 @@ TEST_P(DrapedPatterns, RestOnTheirBodies) {
     EXPECT_EQ(found[crossings], 0) << crossings;
 }
 
-// What ./run shows first: drawn, sewn, pulled and slit, with a drape after each.
+// What ./run shows first: drawn, sewn, pulled and slit, with a drape after each, and all of it at rest at the end.
 TEST(Samples, TheKyotoFittingRests) {
   const Folder folder;
   const std::string document = folder / "kyoto.karinui";
   const Said played = karinui("play " KARINUI_SOURCE_DIR "/examples/kyoto_fitting.ops -o " + document);
   EXPECT_EQ(played.exit, 0) << played.err;
   const auto found = karinui("check " + document + " --json").json();
+  EXPECT_EQ(found["at_rest"], true);
   EXPECT_EQ(found["penetration_mm"], 0);
   EXPECT_EQ(found["cloth_body_crossings"], 0);
   EXPECT_EQ(found["cloth_cloth_crossings"], 0);
