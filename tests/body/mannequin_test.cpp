@@ -352,6 +352,21 @@ TEST(Mannequin, AStoutFigureHasSeatBustAndWaist) {
   }
 }
 
+// Of a waist wider than the hip: no woman of such girths could be made.
+TEST(Mannequin, AWomansWaistMayBeWiderThanHerHip) {
+  for (const Measurements& wanted :
+       {ofGirths(Sex::Female, 1.65, 1.30, 1.28, 1.24), ofGirths(Sex::Female, 1.65, 1.20, 1.20, 1.18),
+        ofGirths(Sex::Female, 1.68, 1.40, 1.35, 1.28), ofGirths(Sex::Female, 1.58, 1.10, 1.12, 1.06)}) {
+    const BodyPtr body = made(wanted);
+    if (!body) continue;
+    meets(wanted, *body);
+    const auto said = [&](const char* key) { return body->measured().value.at(key); };
+    EXPECT_GT(said("bust_girth"), said("under_bust_girth") + 0.03);
+    EXPECT_GT(said("bust_height"), 0.68 * said("height"));
+    if (!atLength()) break;
+  }
+}
+
 // Arms that are thick enough to lie at the trunk, where the tape jumps from grid to grid, are no quarrel.
 TEST(Mannequin, ThickArmsOfAStoutFigureAreMade) {
   for (const double arm : {0.40, 0.39}) {
