@@ -14,6 +14,8 @@ Operation asRecorded(Operation operation) {
       [](auto& op) {
         if constexpr (requires { op.copies; })
           if (op.copies == Choice::Auto) op.copies = Choice::No;
+        if constexpr (std::is_same_v<decltype(op), AddNotch&> || std::is_same_v<decltype(op), EraseMarks&>)
+          if (op.partners == Choice::Auto) op.partners = Choice::No;
       },
       static_cast<PlainOperation&>(operation));
   return operation;

@@ -1,11 +1,14 @@
 #include "karinui/pattern/seam_walk.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace karinui {
 namespace {
 
 constexpr double kSameFraction = 1e-6;  // of a side's length: fractions nearer than this are one place
+constexpr double kSameSpot = 1e-4;      // metres along an edge
 
 }  // namespace
 
@@ -67,6 +70,32 @@ std::vector<double> SeamSides::breaks() const {
     if (out.empty() || fraction - out.back() > kSameFraction) out.push_back(fraction);
   if (!out.empty()) out.back() = 1;
   return out;
+}
+
+std::vector<SeamPlace> sewnTo(const Pattern& pattern, const SeamPlace& place) {
+  std::vector<SeamPlace> all{place};
+  const auto known = [&](const SeamPlace& there, double whole) {
+    return std::any_of(all.begin(), all.end(), [&](const SeamPlace& one) {
+      return one.piece == there.piece && one.edge == there.edge &&
+             std::abs(one.fraction - there.fraction) * whole < kSameSpot;
+    });
+  };
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const auto& [id, seam] : pattern.seams) {
+      const SeamPlace from = all[i];
+      const SeamSides sides(pattern, seam);
+      for (const auto& [own, other] : {std::pair(&sides.a, &sides.b), std::pair(&sides.b, &sides.a)})
+        for (std::size_t k = 0; k < own->spans().size(); ++k) {
+          const EdgeSpan& span = own->spans()[k];
+          if (span.piece != from.piece || span.edge != from.edge || other->spans().empty()) continue;
+          if (from.fraction < span.from - kSameFraction || from.fraction > span.to + kSameFraction) continue;
+          const SeamPlace there = other->at(own->fractionOf(k, std::clamp(from.fraction, span.from, span.to)));
+          if (seam.tie == Seam::Tie::Pleat && there.piece == from.piece) continue;  // folded, not sewn
+          if (!known(there, curveOf(pattern, there.piece, there.edge)->length())) all.push_back(there);
+        }
+    }
+  all.erase(all.begin());
+  return all;
 }
 
 }  // namespace karinui

@@ -1,7 +1,8 @@
 // Notches: a click on an edge puts one, a click on one takes it away. On a symmetric piece both halves are marked, and
-// on a symmetric copy it is done likewise, unless Alt is held.
+// on a symmetric copy and on the edge it is sewn to it is done likewise, unless Alt is held.
 #include <cmath>
 
+#include "karinui/pattern/seam_walk.h"
 #include "karinui/pattern/symmetry.h"
 #include "session/gestures.h"
 
@@ -13,14 +14,15 @@ class NotchGesture : public Gesture {
  public:
   GestureResult feed(const PointerSample& sample, const Hit& hit, const GestureContext& context) override {
     here_ = hit.edge ? found(*hit.edge, sample, context) : std::nullopt;
+    alone_ = sample.alt;
     if (sample.phase != PointerSample::Phase::Press) return {};
     if (!here_) return {.why = say("A notch lies on the edge of a piece.")};
     const Piece& piece = *context.snapshot->document.find(here_->edge.piece.id);
-    const Choice copies = sample.alt ? Choice::No : Choice::Auto;
+    const Choice others = sample.alt ? Choice::No : Choice::Auto;
     if (here_->there)
-      return {.over = true, .operation = EraseMarks{here_->edge.piece, {}, tenth(here_->paper), copies}};
+      return {.over = true, .operation = EraseMarks{here_->edge.piece, {}, tenth(here_->paper), others, others}};
     AddNotch notch;
-    notch.copies = copies;
+    notch.copies = notch.partners = others;
     notch.edge = here_->edge;
     notch.at = here_->at;
     const auto symmetry = sample.alt ? std::nullopt : symmetryOf(piece.outline);
@@ -42,6 +44,13 @@ class NotchGesture : public Gesture {
     const Flat table = here_->paper + context.table->at(here_->edge.piece.id);
     shown.table.dots.push_back(table);
     shown.table.words.push_back({table, words(context)});
+    if (alone_) return shown;
+    const Document& document = context.snapshot->document;
+    for (const SeamPlace& there : sewnTo(document.pattern, {here_->edge.piece.id, here_->edge.edge, here_->at}))
+      if (const Curve* curve = curveOf(document.pattern, there.piece, there.edge)) {
+        const Flat paper = curve->atFraction(there.fraction);
+        showOnPaper(shown, context, there.piece, {paper, paper + inwards(*curve, there.fraction) * kStroke}, kPartner);
+      }
     return shown;
   }
   Message hint() const override {
@@ -52,6 +61,10 @@ class NotchGesture : public Gesture {
   bool clicks() const override { return true; }
 
  private:
+  static constexpr double kStroke = 0.01;  // metres
+  static Flat inwards(const Curve& curve, double at) {
+    return leftOf(normalized(curve.tangent(curve.parameterAt(at * curve.length()))));
+  }
   struct Here {
     EdgeRef edge;
     double at = 0;
@@ -78,6 +91,7 @@ class NotchGesture : public Gesture {
     return here;
   }
   std::optional<Here> here_;
+  bool alone_ = false;  // neither on the symmetric copy nor on what the edge is sewn to
 };
 
 }  // namespace

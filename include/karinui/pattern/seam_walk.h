@@ -38,6 +38,10 @@ struct SeamSides {
   std::vector<double> breaks() const;  // of both sides, without repeats closer than a millionth
 };
 
+// The places of edges and inner lines that seams bring to this one, also through one another, as a waist brings its
+// band and the band its facing. What is only folded there is left out.
+std::vector<SeamPlace> sewnTo(const Pattern& pattern, const SeamPlace& place);
+
 // The edge of an outline or a hole; null where the piece or edge is not there.
 const Edge* edgeOf(const Pattern& pattern, PieceId piece, std::string_view edge);
 // The same of what a seam can hold, internal lines too.

@@ -1,11 +1,13 @@
 // What is marked on the paper: notches, drill holes, internal lines.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "design/operations/finished_edges.h"
 #include "karinui/base/number.h"
 #include "karinui/geometry/fit_curve.h"
 #include "karinui/pattern/likeness.h"
+#include "karinui/pattern/seam_walk.h"
 
 namespace karinui {
 
@@ -105,6 +107,41 @@ Mark imageOnCopy(const Piece& copy, const Piece& piece, Mark mark) {
   mark.fraction = 1 - mark.fraction;
   return mark;
 }
+using PlacedMark = std::pair<PieceId, Mark>;
+
+// A notch of another piece, or of another edge, that comes to lie where this one does.
+constexpr double kMeets = 0.001;  // metres along the edge
+bool isMet(const Piece& piece, const Mark& notch) {
+  const auto k = piece.outline.find(notch.edge);
+  return k && std::any_of(piece.marks.begin(), piece.marks.end(), [&](const Mark& own) {
+           return own.edge == notch.edge &&
+                  std::fabs(own.fraction - notch.fraction) * piece.outline.edges[*k].curve.length() < kMeets;
+         });
+}
+// Where notches meet the edges that theirs are sewn to.
+std::vector<PlacedMark> onPartners(const Document& document, const std::vector<PlacedMark>& placed) {
+  std::vector<PlacedMark> all;
+  for (const auto& [id, mark] : placed) {
+    if (mark.edge.empty()) continue;
+    for (const SeamPlace& there : sewnTo(document.pattern, {id, mark.edge, mark.fraction}))
+      if (document.find(there.piece)->outline.find(there.edge))
+        all.push_back({there.piece, Mark{mark.name, there.edge, there.fraction, {}}});
+  }
+  return all;
+}
+// A choice about what notches are sewn to: recorded where there is something to choose.
+Done resolvePartners(const std::vector<PlacedMark>& partners, Choice& choice, const Context& context) {
+  if (choice == Choice::Auto && context.recorded) return {};
+  if (!partners.empty()) {
+    if (choice == Choice::Auto) choice = Choice::Yes;
+    return {};
+  }
+  if (choice == Choice::Yes && !context.recorded && !context.byFormula)
+    return refused(say("Nothing is sewn to the edge there that could have the notch, too; leave partners= away."));
+  choice = Choice::Auto;
+  return {};
+}
+
 bool sameMark(const Mark& one, const Mark& other) {
   constexpr double kSame = 1e-5;  // metres, and of an edge's length
   return one.edge == other.edge && (one.edge.empty() ? distance(one.place, other.place) < kSame
@@ -168,6 +205,92 @@ bool isThere(const Piece& piece, const AddLine& op) {
   });
 }
 
+// A notch or drill hole with its images on the other half and on symmetric copies.
+std::vector<PlacedMark> notchesOf(const Document& document, const AddNotch& op) {
+  const Piece& piece = *document.find(op.piece.id);
+  Mark mark;
+  mark.name = op.name;
+  if (op.point) {
+    mark.place = *op.point;
+  } else {
+    mark.edge = op.edge.edge;
+    mark.fraction = op.at;
+  }
+  std::vector<PlacedMark> all{{op.piece.id, mark}};
+  if (op.symmetric) {
+    const auto symmetry = symmetryOf(piece.outline);
+    const Flat here = placeOf(piece, mark);
+    mark.place = op.point ? symmetry->image(*op.point) : Flat();
+    if (!op.point) {
+      const auto image = imageOf(piece.outline, *symmetry, {*piece.outline.find(mark.edge), op.at});
+      mark.edge = piece.outline.edges[image->edge].name;
+      mark.fraction = image->at;
+    }
+    if (distance(placeOf(piece, mark), here) > 1e-6) all.push_back({op.piece.id, std::move(mark)});
+  }
+  for (std::size_t k = 0, here = all.size(); k < here; ++k)
+    for (const PieceId id : copiesMeant(document, op.piece.id, op.copies)) {
+      const Piece& copy = *document.find(id);
+      const Mark image = imageOnCopy(copy, piece, all[k].second);
+      if (std::none_of(copy.marks.begin(), copy.marks.end(), [&](const Mark& own) { return sameMark(own, image); }))
+        all.push_back({id, image});
+    }
+  return all;
+}
+
+// What an eraser takes: of its piece, and of symmetric copies.
+struct Erased {
+  std::vector<std::pair<PieceId, InternalLine>> lines;
+  std::vector<PlacedMark> marks;
+};
+// Refused: there is nothing near.
+Result<Erased> whatGoes(const Document& document, const EraseMarks& op) {
+  const Piece& piece = *document.find(op.piece.id);
+  Erased taken;
+  for (const std::string& name : op.names) {
+    for (const InternalLine& line : piece.lines)
+      if (line.name == name) taken.lines.push_back({piece.id, line});
+    for (const Mark& mark : piece.marks)
+      if (mark.name == name) taken.marks.push_back({piece.id, mark});
+  }
+  if (op.at) {
+    double nearest = kReach;
+    const Mark* mark = nullptr;
+    for (const Mark& one : piece.marks)
+      if (const double d = distance(placeOf(piece, one), *op.at); d < nearest) nearest = d, mark = &one;
+    const InternalLine* line = nullptr;
+    for (const InternalLine& one : piece.lines)
+      if (const double d = away(one, *op.at); d < nearest) nearest = d, line = &one;
+    if (line)
+      taken.lines.push_back({piece.id, *line});
+    else if (mark)
+      taken.marks.push_back({piece.id, *mark});
+    else
+      return refused(say("There is nothing to erase within 1 cm of that place on {0}.", piece.name));
+  }
+  const Erased own = taken;
+  for (const PieceId id : copiesMeant(document, op.piece.id, op.copies)) {
+    const Piece& copy = *document.find(id);
+    for (const auto& [from, line] : own.lines)
+      if (const InternalLine* image = lineOnCopy(line, copy)) taken.lines.push_back({id, *image});
+    for (const auto& [from, mark] : own.marks)
+      for (const Mark& one : copy.marks)
+        if (sameMark(one, imageOnCopy(copy, piece, mark))) taken.marks.push_back({id, one});
+  }
+  return taken;
+}
+// The notches that meet those that go.
+std::vector<PlacedMark> partnersErased(const Document& document, const Erased& taken) {
+  std::vector<PlacedMark> all;
+  for (const PlacedMark& there : onPartners(document, taken.marks))
+    for (const Mark& own : document.find(there.first)->marks) {
+      Piece alone = *document.find(there.first);
+      alone.marks = {own};
+      if (isMet(alone, there.second)) all.push_back({there.first, own});
+    }
+  return all;
+}
+
 }  // namespace
 
 Done resolve(const Document& before, AddNotch& op, Context& context) {
@@ -191,43 +314,24 @@ Done resolve(const Document& before, AddNotch& op, Context& context) {
   op.piece = op.edge.piece;
   if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
   if (!(op.at >= 0 && op.at <= 1)) return refused(say("A notch lies between 0, the edge's beginning, and 1, its end."));
-  return checkSymmetric(*before.find(op.piece.id), op.symmetric, op.edge.edge, op.at, context);
+  if (Done done = checkSymmetric(*before.find(op.piece.id), op.symmetric, op.edge.edge, op.at, context); !done)
+    return done;
+  return resolvePartners(onPartners(before, notchesOf(before, op)), op.partners, context);
 }
 
 Result<Document> perform(const Document& before, const AddNotch& op, Context&) {
-  Piece piece = *before.find(op.piece.id);
-  Mark mark;
-  mark.name = op.name;
-  if (op.point) {
-    mark.place = *op.point;
-  } else {
-    mark.edge = op.edge.edge;
-    mark.fraction = op.at;
-  }
-  const std::size_t first = piece.marks.size();
-  piece.marks.push_back(mark);
-  if (op.symmetric) {
-    const auto symmetry = symmetryOf(piece.outline);
-    const Flat here = placeOf(piece, mark);
-    mark.place = op.point ? symmetry->image(*op.point) : Flat();
-    if (!op.point) {
-      const auto image = imageOf(piece.outline, *symmetry, {*piece.outline.find(mark.edge), op.at});
-      mark.edge = piece.outline.edges[image->edge].name;
-      mark.fraction = image->at;
-    }
-    if (distance(placeOf(piece, mark), here) > 1e-6) piece.marks.push_back(std::move(mark));
-  }
+  const std::vector<PlacedMark> all = notchesOf(before, op);
   Document after = before;
-  for (const PieceId id : copiesMeant(before, op.piece.id, op.copies)) {
-    Piece copy = *before.find(id);
-    for (std::size_t k = first; k < piece.marks.size(); ++k) {
-      const Mark image = imageOnCopy(copy, piece, piece.marks[k]);
-      if (std::none_of(copy.marks.begin(), copy.marks.end(), [&](const Mark& own) { return sameMark(own, image); }))
-        copy.marks.push_back(image);
-    }
-    after = marked(std::move(after), std::move(copy));
-  }
-  return marked(std::move(after), std::move(piece));
+  const auto add = [&](const PlacedMark& one) {
+    Piece piece = *after.find(one.first);
+    piece.marks.push_back(one.second);
+    after = marked(std::move(after), std::move(piece));
+  };
+  for (const PlacedMark& one : all) add(one);
+  if (op.partners == Choice::Yes)
+    for (const PlacedMark& one : onPartners(before, all))
+      if (!isMet(*after.find(one.first), one.second)) add(one);
+  return after;
 }
 
 Done resolve(const Document& before, AddLine& op, Context& context) {
@@ -291,50 +395,30 @@ Done resolve(const Document& before, EraseMarks& op, Context& context) {
         std::none_of(piece.marks.begin(), piece.marks.end(), is))
       return refused(say("“{0}” has no line and no mark “{1}”.", piece.name, name));
   }
-  return {};
+  const auto taken = whatGoes(before, op);
+  if (!taken) return taken.error();
+  return resolvePartners(partnersErased(before, *taken), op.partners, context);
 }
 
 Result<Document> perform(const Document& before, const EraseMarks& op, Context&) {
-  const Piece& old = *before.find(op.piece.id);
-  Piece piece = old;
-  std::vector<InternalLine> lines;  // that go
-  std::vector<Mark> marks;
-  const auto takeLine = [&](std::vector<InternalLine>::iterator at) { lines.push_back(*at), piece.lines.erase(at); };
-  const auto takeMark = [&](std::vector<Mark>::iterator at) { marks.push_back(*at), piece.marks.erase(at); };
-  for (const std::string& name : op.names) {
-    const auto is = [&](const auto& thing) { return thing.name == name; };
-    for (auto at = piece.lines.begin(); (at = std::find_if(at, piece.lines.end(), is)) != piece.lines.end();)
-      lines.push_back(*at), at = piece.lines.erase(at);
-    for (auto at = piece.marks.begin(); (at = std::find_if(at, piece.marks.end(), is)) != piece.marks.end();)
-      marks.push_back(*at), at = piece.marks.erase(at);
-  }
-  if (op.at) {
-    double nearest = kReach;
-    auto mark = piece.marks.end();
-    for (auto m = piece.marks.begin(); m != piece.marks.end(); ++m)
-      if (const double d = distance(placeOf(piece, *m), *op.at); d < nearest) nearest = d, mark = m;
-    auto line = piece.lines.end();
-    for (auto l = piece.lines.begin(); l != piece.lines.end(); ++l)
-      if (const double d = away(*l, *op.at); d < nearest) nearest = d, line = l;
-    if (line != piece.lines.end())
-      takeLine(line);
-    else if (mark != piece.marks.end())
-      takeMark(mark);
-    else
-      return refused(say("There is nothing to erase within 1 cm of that place on {0}.", piece.name));
-  }
+  const auto taken = whatGoes(before, op);
+  if (!taken) return taken.error();
+  std::vector<PlacedMark> marks = taken->marks;
+  if (op.partners == Choice::Yes)
+    for (PlacedMark& one : partnersErased(before, *taken)) marks.push_back(std::move(one));
   Document after = before;
-  for (const PieceId id : copiesMeant(before, op.piece.id, op.copies)) {
-    Piece copy = *before.find(id);
-    for (const InternalLine& line : lines)
-      if (const InternalLine* image = lineOnCopy(line, copy))
-        std::erase_if(copy.lines, [name = image->name](const InternalLine& own) { return own.name == name; });
-    for (const Mark& mark : marks)
-      std::erase_if(copy.marks,
-                    [image = imageOnCopy(copy, old, mark)](const Mark& own) { return sameMark(own, image); });
-    after = marked(std::move(after), std::move(copy));
+  std::set<PieceId> pieces{op.piece.id};
+  for (const auto& [id, line] : taken->lines) pieces.insert(id);
+  for (const auto& [id, mark] : marks) pieces.insert(id);
+  for (const PieceId id : pieces) {
+    Piece piece = *before.find(id);
+    for (const auto& [on, line] : taken->lines)
+      if (on == id) std::erase_if(piece.lines, [&](const InternalLine& own) { return own.name == line.name; });
+    for (const auto& [on, mark] : marks)
+      if (const auto at = std::find(piece.marks.begin(), piece.marks.end(), mark); on == id && at != piece.marks.end())
+        piece.marks.erase(at);
+    after = marked(std::move(after), std::move(piece));
   }
-  after = marked(std::move(after), std::move(piece));
   updateAllowances(after.allowances, {}, after.pattern);  // what was sewn to the line goes with it
   return after;
 }

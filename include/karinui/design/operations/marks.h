@@ -11,6 +11,10 @@
 
 namespace karinui {
 
+inline constexpr std::string_view kPartnersHelp =
+    "of a notch: where it meets the edges this one is sewn to, too: auto, yes, no (auto: yes, but no in a record that "
+    "does not have it)";
+
 struct SetGrain {
   static constexpr std::string_view kName = "grain";
   static constexpr std::string_view kHelp = "Turns the grain line of pieces.";
@@ -36,7 +40,7 @@ struct AddNotch {
   std::optional<Flat> point;
   std::string name;
   bool symmetric = false;
-  Choice copies = Choice::Auto;
+  Choice copies = Choice::Auto, partners = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge to notch", kOptional);
@@ -46,6 +50,7 @@ struct AddNotch {
     visit("name", self.name, "the mark's name", kOptional);
     visit("symmetric", self.symmetric, "yes: on the other half of a symmetric piece too", kOptional);
     visit("copies", self.copies, kCopiesHelp, kOptional);
+    visit("partners", self.partners, kPartnersHelp, kOptional);
   }
   bool operator==(const AddNotch&) const = default;
 };
@@ -77,13 +82,14 @@ struct EraseMarks {
   PieceRef piece;
   std::vector<std::string> names;
   std::optional<Flat> at;
-  Choice copies = Choice::Auto;
+  Choice copies = Choice::Auto, partners = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece", kNeeded);
     visit("name", self.names, "the names of what goes", kOptional);
     visit("at", self.at, "or a place on its paper: the nearest within 1 cm goes", kOptional);
     visit("copies", self.copies, kCopiesHelp, kOptional);
+    visit("partners", self.partners, kPartnersHelp, kOptional);
   }
   bool operator==(const EraseMarks&) const = default;
 };
