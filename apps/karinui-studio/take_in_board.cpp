@@ -1,9 +1,11 @@
 #include "take_in_board.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "karinui/design/edge_run.h"
 #include "karinui/design/step_words.h"
 #include "length_box.h"
 #include "theme.h"
@@ -29,7 +31,13 @@ TakeInBoard::TakeInBoard(Session& session) : session_(session) {
   partners_->setObjectName("take_in_partners");
   partners_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   partners_->setMinimumContentsLength(12);
+  follow_ = new QCheckBox;
+  follow_->setObjectName("take_in_follow");
   Theme::here().keep(this, [this] {
+    follow_->setText(inWords(say("its ends go along the edges beside it")));
+    follow_->setToolTip(inWords(
+        say("A hem that is let down goes on along the side seams, which keep their flare, and stays parallel to where "
+            "it was. Without the tick it goes straight down.")));
     where_->setAccessibleName(inWords(say("Where it is taken in")));
     where_->setToolTip(
         inWords(say("As far all along, or only at a place, as at the waist, and from there to nothing at the ends.")));
@@ -50,6 +58,8 @@ TakeInBoard::TakeInBoard(Session& session) : session_(session) {
   column->addWidget(where_);
   column->addWidget(place_);
   column->addWidget(partners_);
+  column->addWidget(follow_);
+  connect(partners_, &QComboBox::activated, this, &TakeInBoard::showPlace);
   connect(where_, &QComboBox::activated, this, &TakeInBoard::showPlace);
 }
 
@@ -60,7 +70,11 @@ const Edge* TakeInBoard::edge() const {
   return k ? &piece->outline.edges[*k] : nullptr;
 }
 
-void TakeInBoard::showPlace() { place_->setVisible(where_->currentData().toInt() == kAtPlace); }
+void TakeInBoard::showPlace() {
+  const int where = where_->currentData().toInt();
+  place_->setVisible(where == kAtPlace);
+  follow_->setVisible(where == kAllAlong && partners_->currentIndex() != kGives);
+}
 
 // Of one edge alone: several have no place in common.
 void TakeInBoard::addPlaces() {
@@ -86,6 +100,7 @@ void TakeInBoard::refresh() {
   where_->setCurrentIndex(std::max(0, where_->findData(was)));
   place_->setLongest(own->curve.length());
   if (another) partners_->setCurrentIndex(kGoesAsFar);  // what was meant for the last edge is not meant for this one
+  if (another) follow_->setChecked(areHems(session_.snapshot().document, session_.selection().edges()));
   if (another || shown_->fraction != chosen.fraction) place_->setMetres(chosen.fraction * own->curve.length());
   shown_ = chosen;
   showPlace();
@@ -99,6 +114,8 @@ TakeIn TakeInBoard::takeIn(double metres) const {
   in.moves = partners_->currentIndex() == kGives;
   const Edge* own = edge();
   const int where = own ? where_->currentData().toInt() : static_cast<int>(kAllAlong);
+  if (where == kAllAlong && !in.moves && follow_->isChecked() != areHems(session_.snapshot().document, in.edges))
+    in.follow = follow_->isChecked() ? Choice::Yes : Choice::No;
   if (where == kAtStart) in.at = 0;
   if (where == kAtEnd) in.at = 1;
   if (where == kAtPlace) in.at = std::clamp(place_->value() / own->curve.length(), 0.0, 1.0);

@@ -5,6 +5,7 @@
 
 #include "karinui/session/session.h"
 
+class QCheckBox;
 class QComboBox;
 
 namespace karinui::studio {
@@ -26,6 +27,7 @@ class TakeInBoard : public QWidget {
   QComboBox* where_;
   LengthBox* place_;
   QComboBox* partners_;
+  QCheckBox* follow_;
   std::optional<EdgeNear> shown_;
 };
 

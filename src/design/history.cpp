@@ -16,6 +16,8 @@ Operation asRecorded(Operation operation) {
           if (op.copies == Choice::Auto) op.copies = Choice::No;
         if constexpr (std::is_same_v<decltype(op), AddNotch&> || std::is_same_v<decltype(op), EraseMarks&>)
           if (op.partners == Choice::Auto) op.partners = Choice::No;
+        if constexpr (std::is_same_v<decltype(op), TakeIn&>)
+          if (op.follow == Choice::Auto) op.follow = Choice::No;
       },
       static_cast<PlainOperation&>(operation));
   return operation;

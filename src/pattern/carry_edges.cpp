@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "karinui/pattern/edit.h"
+#include "parallel_edge.h"
 #include "words.h"
 
 namespace karinui {
@@ -69,7 +70,13 @@ class CarriedOutline {
   CarriedOutline(const Outline& outline, std::vector<const EdgeCarry*> plan, const PaperSymmetry* symmetry)
       : edges_(outline.edges), n_(edges_.size()), plan_(std::move(plan)), symmetry_(symmetry) {
     for (std::size_t c = 0; c < n_; ++c) corner_.push_back(newCorner(c));
+    onBeside_.resize(n_);
+    for (std::size_t k = 0; k < n_; ++k)
+      if (follows(k)) goAlongBeside(k);
     if (symmetry_) matchCorners();
+    for (std::size_t c = 0; c < n_; ++c)  // the mouth of a slit
+      for (std::size_t m = 0; m < c; ++m)
+        if (onBeside_[c] && onBeside_[m] && edges_[m].curve.start == edges_[c].curve.start) corner_[c] = corner_[m];
   }
 
   Outline carried() const {
@@ -77,7 +84,12 @@ class CarriedOutline {
     for (std::size_t k = 0; k < n_; ++k) {
       const Flat start = at(k), end = at((k + 1) % n_);
       Curve curve = edges_[k].curve;
-      if (plan_[k]) {
+      if (follows(k)) {
+        curve = ParallelLine(curve, plan_[k]->by).between(start, end);
+      } else if (!plan_[k] && (onBeside_[k] || onBeside_[(k + 1) % n_])) {
+        if (onBeside_[k]) curve = endedAt(curve, false, start);
+        if (onBeside_[(k + 1) % n_]) curve = endedAt(curve, true, end);
+      } else if (plan_[k]) {
         const Flat step = inwards(k) * plan_[k]->by;
         if (plan_[k]->taper) {
           curve = tapered(curve, step, *plan_[k]->taper);
@@ -91,7 +103,7 @@ class CarriedOutline {
       now.edges[k].curve = std::move(curve);
     }
     for (std::size_t k = 0; symmetry_ && k < n_; ++k) {
-      if (!plan_[k] || !symmetry_->partner[k]) continue;
+      if (!(plan_[k] || onBeside_[k] || onBeside_[(k + 1) % n_]) || !symmetry_->partner[k]) continue;
       const std::size_t other = *symmetry_->partner[k];
       if (other == k) now.edges[k].curve = evenAcross(now.edges[k].curve, *symmetry_);
       if (other <= k) continue;
@@ -99,12 +111,30 @@ class CarriedOutline {
       image.start = now.edges[other].curve.start, image.end = now.edges[other].curve.end;  // to the bit
       now.edges[other].curve = std::move(image);
     }
+    for (std::size_t k = 0; k < n_; ++k)  // the banks of a slit are one line walked both ways
+      for (std::size_t m = 0; m < k; ++m)
+        if (!plan_[k] && edges_[k].curve == edges_[m].curve.reversed())
+          now.edges[k].curve = now.edges[m].curve.reversed();
     return now;
   }
 
  private:
+  Flat inwardsAt(std::size_t k, bool atEnd) const {  // at an end of it
+    return follows(k) ? leftOf(normalized(endTangent(edges_[k].curve, atEnd))) : inwards(k);
+  }
   Flat inwards(std::size_t k) const { return leftOf(normalized(edges_[k].curve.end - edges_[k].curve.start)); }
   Flat at(std::size_t c) const { return corner_[c].value_or(edges_[c].curve.start); }
+  bool follows(std::size_t k) const { return plan_[k] && plan_[k]->follow; }
+  // The ends of an edge that stays parallel, where the edges beside it do not go themselves.
+  void goAlongBeside(std::size_t k) {
+    const ParallelLine line(edges_[k].curve, plan_[k]->by);
+    const std::size_t before = (k + n_ - 1) % n_, after = (k + 1) % n_;
+    const auto go = [&](std::size_t corner, std::size_t beside, bool besideEnds) {
+      const auto place = plan_[beside] ? std::nullopt : line.met(edges_[beside].curve, besideEnds);
+      if (place) corner_[corner] = place, onBeside_[corner] = true;
+    };
+    go(k, before, true), go(after, after, false);
+  }
   std::optional<double> howFar(std::size_t k, bool atEnd) const {
     if (!plan_[k]) return std::nullopt;
     return plan_[k]->taper ? plan_[k]->by * plan_[k]->taper->share(atEnd ? 1 : 0) : plan_[k]->by;
@@ -116,7 +146,7 @@ class CarriedOutline {
     const Flat place = edges_[c].curve.start;
     Flat by;
     if (one && other) {
-      const Flat a = inwards(before), b = inwards(c);
+      const Flat a = inwardsAt(before, true), b = inwardsAt(c, false);
       const double turn = cross(a, b);
       by = dot(a, b) > 0 ? normalized(a + b) * ((*one + *other) / 2) : a * *one;
       if (std::fabs(turn) > kAlike) {
@@ -129,7 +159,7 @@ class CarriedOutline {
       by = inwards(c) * *other;
     }
     if (by.u == 0 && by.v == 0) return std::nullopt;
-    return onTenths(place + by);
+    return follows(before) && follows(c) ? place + by : onTenths(place + by);
   }
   // Corners of the one half where those of the other are, mirrored; both sides of a slit's mouth together.
   void matchCorners() {
@@ -149,6 +179,7 @@ class CarriedOutline {
   std::vector<const EdgeCarry*> plan_;
   const PaperSymmetry* symmetry_;
   std::vector<std::optional<Flat>> corner_;
+  std::vector<bool> onBeside_;  // it went along the edge beside the one that is carried
 };
 
 }  // namespace

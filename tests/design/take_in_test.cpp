@@ -211,5 +211,111 @@ TEST(TakeIn, TellsTheSymmetricCopyToo) {
   EXPECT_THAT(t.said, HasSubstr("Let out by 10.0 mm: front_left.centre, front_right.centre."));
 }
 
+// A flared skirt: the sides lean out by 100 mm over 600 mm.
+constexpr const char* kFlared =
+    "piece name=front outline=\"M -200 0; hem L 200 0; side_left L 100 600; waist L -100 600; side_right L -200 0\"\n"
+    "piece name=back pose=\"0,0,-0.3 y 180deg\" outline=\"M -200 0; hem L 200 0; side_right L 100 600; waist L -100 "
+    "600; "
+    "side_left L -200 0\"\n"
+    "sew a=front.side_left b=back.side_left\nsew a=front.side_right b=back.side_right\n";
+
+TEST(TakeIn, AHemThatIsLetDownGoesDownAlongTheSides) {
+  Pinned t;
+  t.play(kFlared);
+  t.play("notch edge=front.side_left at=0.5\n");
+  const Flat notch = t.curve("front", "side_left").atFraction(0.5);
+  t.play("takein edges=\"front.hem back.hem\" by=-6cm\n");
+  for (const char* piece : {"front", "back"}) {
+    const Curve& hem = t.curve(piece, "hem");
+    EXPECT_NEAR(hem.start.v, -0.06, 1e-9) << "parallel";
+    EXPECT_NEAR(hem.end.v, -0.06, 1e-9);
+    EXPECT_NEAR(hem.start.u, -0.21, 1e-9) << "the flare goes on";
+    EXPECT_NEAR(hem.end.u, 0.21, 1e-9);
+    EXPECT_TRUE(symmetryOf(t.file.document().pieceNamed(piece)->outline));
+  }
+  EXPECT_LT(t.uneven(), 1e-9);
+  const Mark& mark = t.file.document().pieceNamed("front")->marks.front();
+  EXPECT_LT(distance(t.curve("front", "side_left").atFraction(mark.fraction), notch), 1e-6)
+      << "below the waist as before";
+  EXPECT_EQ(std::get<TakeIn>(t.file.steps().back().operation).follow, Choice::Yes) << "recorded as decided";
+  // Taken up again it is as it was, and further still on the sides.
+  t.play("takein edges=\"front.hem back.hem\" by=6cm\n");
+  EXPECT_NEAR(t.curve("front", "hem").start.u, -0.2, 1e-9);
+  EXPECT_NEAR(t.curve("front", "hem").start.v, 0, 1e-9);
+  t.play("takein edges=\"front.hem back.hem\" by=12cm\n");
+  EXPECT_NEAR(t.curve("front", "hem").end.u, 0.18, 1e-9);
+  EXPECT_NEAR(t.curve("front", "hem").end.v, 0.12, 1e-9);
+}
+
+TEST(TakeIn, TheHemOfARingStaysRound) {
+  Pinned t;
+  t.play("ring name=skirt inner=60cm depth=50cm angle=120deg\n");
+  const Curve was = t.curve("skirt", "hem");
+  ASSERT_EQ(was.kind, Curve::Kind::Arc);
+  const double radius = was.length() / (2.0 / 3 * std::numbers::pi);
+  t.play("takein edges=skirt.hem by=-4cm\n");
+  const Curve is = t.curve("skirt", "hem");
+  EXPECT_EQ(is.kind, Curve::Kind::Arc);
+  EXPECT_NEAR(is.length(), was.length() * (radius + 0.04) / radius, 1e-7) << "4 cm longer everywhere";
+  t.play("takein edges=skirt.hem by=10cm\n");
+  EXPECT_NEAR(t.curve("skirt", "hem").length(), was.length() * (radius - 0.06) / radius, 1e-7);
+}
+
+// A hip's curve above, a hem of two halves that curve up to the sides, and a fold in the middle.
+constexpr const char* kCurved =
+    "piece name=back outline=\"M 0 0; hem_left C 100 0 180 8 250 20; side_left C 235 200 240 380 200 500; waist L 0 "
+    "490; "
+    "fold L 0 0\"\n";
+
+TEST(TakeIn, ACurvedSideGoesOnStraightAndACurvedHemStaysParallel) {
+  for (const double by : {-0.05, 0.05}) {
+    Pinned t;
+    t.play(kCurved);
+    const Curve side = t.curve("back", "side_left"), hem = t.curve("back", "hem_left");
+    t.play("takein edges=back.hem_left by=" + std::to_string(by) + "m\n");
+    const Curve now = t.curve("back", "side_left"), low = t.curve("back", "hem_left");
+    EXPECT_NEAR(low.start.u, 0, 1e-9) << "down the fold";
+    EXPECT_NEAR(low.start.v, by, 1e-6);
+    for (int k = 1; k < 20; ++k) {
+      const Flat place = low.atFraction(k / 20.0);
+      double nearest = 1;
+      const auto old = hem.flattened(1e-7);
+      for (std::size_t i = 0; i + 1 < old.size(); ++i)
+        nearest = std::fmin(nearest, distanceToSegment(old[i], old[i + 1], place));
+      if (k < 18) {
+        EXPECT_NEAR(nearest, 0.05, 1e-4) << k;
+      }
+    }
+    // What is above the old hem, or the new one, is the side as it was.
+    const double shared = std::fmin(side.length(), now.length()) - 1e-3;
+    const Curve a = side.reversed(), b = now.reversed();
+    for (const double s : {0.1, 0.5, 0.9})
+      EXPECT_LT(distance(a.at(a.parameterAt(s * shared)), b.at(b.parameterAt(s * shared))), 2e-6);
+    if (by < 0) {
+      EXPECT_NEAR(cross(normalized(endTangent(side, false)), normalized(side.start - low.end)), 0, 1e-6)
+          << "straight on";
+    }
+  }
+}
+
+TEST(TakeIn, AHemThatIsToGoStraightDownOrWasRecordedSoDoes) {
+  Pinned t;
+  t.play(kFlared);
+  t.play("takein edges=front.hem by=-6cm follow=no\n");
+  EXPECT_NEAR(t.curve("front", "hem").start.u, -0.2, 1e-9);
+  Operation old = t.file.steps().back().operation;
+  std::get<TakeIn>(old).follow = Choice::Auto;
+  Context again = t.room.context;
+  again.recorded = true;
+  const auto after = apply(t.file.document(), old, again);
+  ASSERT_TRUE(after);
+  EXPECT_NEAR(after->pieceNamed("front")->outline.edges.front().curve.start.u, -0.2, 1e-9);
+  EXPECT_EQ(std::get<TakeIn>(asRecorded(old)).follow, Choice::No);
+  EXPECT_THAT(t.refusal("takein edges=front.hem by=-1cm at=0.5 follow=yes\n"), HasSubstr("all along"));
+  // Another edge goes square to itself, unless it is said.
+  t.play("takein edges=back.waist by=-1cm\n");
+  EXPECT_NEAR(t.curve("back", "waist").length(), 0.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace karinui

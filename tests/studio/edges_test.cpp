@@ -109,9 +109,20 @@ TEST(StudioEdges, WhatTakesAListTakesAllThatAreChosen) {
   const auto& hems = s.w.session().snapshot().document.allowances.hems;
   EXPECT_EQ(hems.size(), 2u) << s.w.last();
   s.choose({{"front", "hem"}, {"back", "hem"}});
+  auto& follow = s.named<QCheckBox>("take_in_follow");
+  EXPECT_TRUE(follow.isVisible());
+  EXPECT_TRUE(follow.isChecked()) << "a hem goes down along the sides";
   s.w.type(s.w.box("Take in"), "-1");
   s.w.rest();
-  EXPECT_THAT(s.w.last(), AllOf(HasSubstr("takein"), HasSubstr(";"))) << s.w.main().said().toStdString();
+  EXPECT_THAT(s.w.last(), AllOf(HasSubstr("takein"), HasSubstr(";"), HasSubstr("follow=yes")))
+      << s.w.main().said().toStdString();
+  s.choose({{"front", "armhole_left"}});
+  EXPECT_FALSE(follow.isChecked()) << "what is no hem goes square to itself";
+  s.choose({{"front", "hem"}, {"back", "hem"}});
+  follow.setChecked(false);
+  s.w.type(s.w.box("Take in"), "1");
+  s.w.rest();
+  EXPECT_THAT(s.w.last(), HasSubstr("follow=no"));
   s.choose({{"front", "hem"}});
   EXPECT_FALSE(label.isVisible());
   EXPECT_TRUE(s.w.box("Length").isEnabled());

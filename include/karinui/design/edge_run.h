@@ -11,4 +11,7 @@ namespace karinui {
 // a whole neckline, waist or hem, in the outlines' own order. `edge` is one of an outline, by ids; sewn, it is alone.
 std::vector<EdgeRef> runThrough(const Document& document, const EdgeRef& edge);
 
+// Whether all of them are hems: turned up, or called so and free.
+bool areHems(const Document& document, const std::vector<EdgeRef>& edges);
+
 }  // namespace karinui

@@ -173,6 +173,9 @@ struct EdgeCarry {
   std::string edge;
   double by = 0;               // metres into the piece
   std::optional<Taper> taper;  // none: all of the edge as far
+  // It stays parallel to where it was, and its ends go along the edges beside it where these lead there, as a hem goes
+  // down the side seams of a flared skirt. Such ends are exact. Not with a taper.
+  bool follow = false;
 };
 Result<Piece> carryEdges(const Piece& piece, const std::vector<EdgeCarry>& carries, const PaperSymmetry* symmetry);
 

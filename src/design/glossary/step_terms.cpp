@@ -190,6 +190,7 @@ TermTable fieldTerms() {
       {"facings", say("Facings with it")},
       {"flared", say("Cut to lie on it")},
       {"flex", say("Forwards, or bent")},
+      {"follow", say("Ends go along the edges beside it")},
       {"form", say("Dress form")},
       {"friction_body", say("Friction on skin")},
       {"friction_cloth", say("Friction on cloth")},

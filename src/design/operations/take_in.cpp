@@ -5,7 +5,9 @@
 
 #include "design/operations/operations.h"
 #include "karinui/base/number.h"
+#include "karinui/design/edge_run.h"
 #include "karinui/design/step_words.h"
+#include "karinui/pattern/allowance.h"
 #include "karinui/pattern/likeness.h"
 
 namespace karinui {
@@ -237,7 +239,8 @@ Result<Document> allAtOnce(const Document& before, const TakeIn& op, Context& co
     if (after.find(id)->outline != piece.outline) continue;  // carried already, or as a copy
     std::vector<EdgeCarry> carries;
     for (const Carried& one : *all)
-      if (one.edge.first == id) carries.push_back({one.edge.second, one.lets ? -op.by : op.by, one.taper});
+      if (one.edge.first == id)
+        carries.push_back({one.edge.second, one.lets ? -op.by : op.by, one.taper, op.follow == Choice::Yes});
     const auto symmetry = op.symmetric == Choice::No ? std::nullopt : symmetryOf(piece.outline);
     auto carried = carryEdges(piece, carries, symmetry ? &*symmetry : nullptr);
     if (!carried) return carried.error();
@@ -258,6 +261,14 @@ Result<Document> allAtOnce(const Document& before, const TakeIn& op, Context& co
 
 }  // namespace
 
+bool areHems(const Document& document, const std::vector<EdgeRef>& edges) {
+  const AllowancePlan plan(document.pattern, document.allowances);
+  return !edges.empty() && std::all_of(edges.begin(), edges.end(), [&](const EdgeRef& edge) {
+    return plan.kind(edge.piece.id, edge.edge) == EdgeKind::Hem ||
+           document.allowances.hems.contains({edge.piece.id, edge.edge});
+  });
+}
+
 Done resolve(const Document& before, TakeIn& op, Context& context) {
   if (op.by == 0.0 || !(std::fabs(op.by) <= kMostTakenIn))
     return refused(say("A seam is taken in or let out by up to 50 cm, not by {0} mm.", fixed(op.by * 1e3, 1)));
@@ -267,7 +278,15 @@ Done resolve(const Document& before, TakeIn& op, Context& context) {
     return refused(say("A seam moves with both its sides; leave partners= away, or moves=."));
   if (op.whole == Choice::Auto && !context.recorded) op.whole = Choice::Yes;
   if (op.together == Choice::Auto && !context.recorded) op.together = Choice::Yes;
-  return resolveWhole(before, op.edges, op.symmetric, context);
+  if (Done done = resolveWhole(before, op.edges, op.symmetric, context); !done) return done;
+  const bool allAlong = !op.at && !op.moves && op.together == Choice::Yes;
+  if (op.follow == Choice::Yes && !allAlong)
+    return refused(
+        say("The ends go along the edges beside them where the edge goes as far all along; leave follow= "
+            "away, or at= and moves=."));
+  if (op.follow == Choice::Auto && !context.recorded && allAlong)
+    op.follow = areHems(before, op.edges) ? Choice::Yes : Choice::No;
+  return {};
 }
 
 Result<Document> perform(const Document& before, const TakeIn& op, Context& context) {

@@ -450,6 +450,7 @@ struct TakeIn {
   Choice together = Choice::Auto;
   std::optional<double> at;
   bool moves = false;
+  Choice follow = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edges", self.edges, "the edges", kNeeded);
@@ -472,6 +473,12 @@ struct TakeIn {
           "edges that meet keep their corner as far from both, and what symmetric copies are sewn to goes too: auto, "
           "yes, no (auto: yes, but no in a record that does not have it)",
           kOptional);
+    visit(
+        "follow", self.follow,
+        "each stays parallel to where it was, and its ends go along the edges beside it, as a hem down the side "
+        "seams of a flared skirt: auto, yes, no (auto: yes for hems that go as far all along, but no in a record that "
+        "does not have it)",
+        kOptional);
   }
   bool operator==(const TakeIn&) const = default;
 };
