@@ -68,8 +68,8 @@ FabricWizard::FabricWizard(Session& session, QWidget* parent) : QDialog(parent),
   auto* photographs = new QPushButton(inWords(say("From photographs…")));
   photographs->setAutoDefault(false);
   photographs->setToolTip(
-      inWords(say("A disc of 30 cm, photographed from straight above on a plain ground: first flat on a board at the "
-                  "height of a tin of 18 cm, then draped over the tin.")));
+      inWords(say("A disc of 300 mm, photographed from straight above on a plain ground: first flat on a board at the "
+                  "height of a tin of 180 mm, then draped over the tin.")));
   connect(photographs, &QPushButton::clicked, this, &FabricWizard::readPhotographs);
   form->addRow({}, photographs);
   heading(say("Stretch"),
