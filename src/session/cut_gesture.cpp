@@ -1,4 +1,4 @@
-// Cutting along a drag. The line lives on the paper of the first piece it meets.
+// Cutting along a drag. The line lives on the paper of the first piece it meets. With Ctrl it keeps to no middle.
 #include <algorithm>
 #include <cmath>
 
@@ -88,7 +88,7 @@ class CutGesture : public Gesture {
     const Piece* piece = context.snapshot->document.find(hit.piece);
     if (!piece) return;
     const bool table = sample.where == PointerSample::Where::Table;
-    if (!table && hit.on != Hit::On::Cloth) return;
+    if (sample.control || (!table && hit.on != Hit::On::Cloth)) return;
     middle_ =
         middleNear(*piece, table ? sample.place - context.table->at(hit.piece) : hit.paper, nearMiddle(sample, hit));
   }
@@ -105,7 +105,7 @@ class CutGesture : public Gesture {
       paper = hit.paper;
     }
     middle_.reset(), on_ = piece_;
-    if (const Piece* piece = paper ? context.snapshot->document.find(piece_) : nullptr)
+    if (const Piece* piece = paper && !sample.control ? context.snapshot->document.find(piece_) : nullptr)
       middle_ = middleNear(*piece, *paper, nearMiddle(sample, hit));
     if (paper && !left_) {
       if (noted_.empty()) from_ = middle_, alongAxis_ = true;

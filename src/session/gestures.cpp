@@ -55,8 +55,8 @@ double roundShare(double share, double near) {
 }
 
 Message MiddleSnap::said() const {
-  if (onAxis) return say("Here is the middle line of the piece.");
-  return say("Here is the middle of {0}.", edge);
+  if (onAxis) return say("Here is the middle line of the piece (hold Ctrl to leave it).");
+  return say("Here is the middle of {0} (hold Ctrl to leave it).", edge);
 }
 
 std::optional<MiddleSnap> middleNear(const Piece& piece, Flat paper, double near) {

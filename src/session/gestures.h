@@ -34,7 +34,8 @@ inline constexpr Colour kBad{0.70f, 0.04f, 0.06f};      // will be refused
 inline constexpr Colour kPartner{0.05f, 0.25f, 0.62f};  // the other side
 
 constexpr double kShortestDrag = 0.01;  // metres: a shorter one was a click
-constexpr double kDragStep = 0.005;     // metres: what is dragged is no finer; what is finer is typed
+constexpr double kDragStep = 0.005;     // metres: what is dragged is no finer; what is finer is typed, or drawn freely
+constexpr double kFreeStep = 1e-4;      // metres: with the key held that leaves snapping out
 
 // What is said where a slit or dart left the other half of a symmetric piece without a counterpart.
 Message onlyThisHalf();

@@ -1,7 +1,7 @@
 // Lines inside a piece: clicks make a line of straight parts, a drag a curve. Enter, or a click where it ended, is the
 // end; a drag ends with its release. It is drawn on the symmetric copy too, unless Alt is held. A click near an edge is
 // on it; with Shift the part is level, upright or half-way between. Elsewhere a place is as round as the pixels tell;
-// over a scan it is as fine as the hand.
+// over a scan, and with Ctrl, it is as fine as the hand.
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +22,8 @@ class LineGesture : public Gesture {
     if (!table && hit.on == Hit::On::Cloth && (!piece_ || hit.piece == piece_)) paper = hit.paper;
     const bool drags = sample.phase == PointerSample::Phase::Drag;
     middle_.reset();
-    if (const Piece* piece = context.snapshot->document.find(piece_ ? piece_ : hit.piece); paper && piece)
+    if (const Piece* piece = context.snapshot->document.find(piece_ ? piece_ : hit.piece);
+        paper && piece && !sample.control)
       middle_ = middleNear(*piece, *paper, nearMiddle(sample, hit));
     on_ = piece_ ? piece_ : hit.piece;
     const auto end = paper ? std::optional(drags                        ? tenth(*paper)
@@ -93,8 +94,9 @@ class LineGesture : public Gesture {
  private:
   Message usualHint() const {
     if (!piece_) return info(Command::Line).hint;
-    return along_.size() < 2 ? say("Click on; with Shift the line is level, upright or half-way between.")
-                             : say("Click on, and Enter ends the line.");
+    return along_.size() < 2 ? say("Click on; with Shift the line is level, upright or half-way between, with Ctrl "
+                                   "exactly where the hand is.")
+                             : say("Click on, and Enter ends the line; Ctrl: exactly where the hand is.");
   }
   // With Shift the way is given; it may lead to the middle line.
   bool turned(const PointerSample& sample) const { return sample.shift && !along_.empty(); }
@@ -110,7 +112,7 @@ class LineGesture : public Gesture {
   Flat meant(const PointerSample& sample, const Hit& hit, const GestureContext& context, Flat paper) const {
     const Document& document = context.snapshot->document;
     const bool traced = underlayAt(document.underlays, sample.place);
-    const double step = traced ? 0 : roundness(sample.reach);
+    const double step = traced || sample.control ? 0 : roundness(sample.reach);
     const auto whole = [&](double metres) { return step > 0 ? std::round(metres / step) * step : metres; };
     Flat place{whole(paper.u), whole(paper.v)};
     std::optional<Flat> way;
@@ -128,7 +130,7 @@ class LineGesture : public Gesture {
                                                    cross(*way, symmetry->axis));
         if (distance(there, paper) < 2 * nearMiddle(sample, hit)) return exact(there);
       }
-    return tenth(piece && !traced ? onEdge(*piece, sample.reach, paper, place, way) : place);
+    return tenth(piece && !traced && !sample.control ? onEdge(*piece, sample.reach, paper, place, way) : place);
   }
   // The place on an edge that is near the hand, beside `place` or, where a way is kept to, on it; else `place`.
   Flat onEdge(const Piece& piece, double reach, Flat paper, Flat place, std::optional<Flat> way) const {

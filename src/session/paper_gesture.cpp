@@ -24,7 +24,7 @@ class PaperGesture : public Gesture {
     }
     if (!from_) return {};
     to_ = sample.place;
-    square_ = sample.shift;
+    square_ = sample.shift, step_ = sample.alt ? kFreeStep : kDragStep;
     if (sample.phase == PointerSample::Phase::Drag) return {};
     const Flat size = sizeNow();
     const double least = round_ ? size.u : std::fmin(size.u, size.v);
@@ -72,7 +72,9 @@ class PaperGesture : public Gesture {
     shown.table.words.push_back({to_, std::move(words)});
     return shown;
   }
-  Message hint() const override { return info(command()).hint; }
+  Message hint() const override {
+    return from_ ? say("Sizes are whole half centimetres; hold Alt to draw freely.") : info(command()).hint;
+  }
   bool begun() const override { return from_.has_value(); }
 
  private:
@@ -80,13 +82,14 @@ class PaperGesture : public Gesture {
   Command command() const { return round_ ? Command::Circle : Command::Rectangle; }
   // Width and height, or the radius twice.
   Flat sizeNow() const {
-    const auto whole = [](double metres) { return std::round(std::fabs(metres) / kDragStep) * kDragStep; };
+    const auto whole = [&](double metres) { return std::round(std::fabs(metres) / step_) * step_; };
     const Flat way = to_ - *from_;
     if (round_) return {whole(length(way)), whole(length(way))};
     const double side = whole(std::fmax(std::fabs(way.u), std::fabs(way.v)));
     return square_ ? Flat{side, side} : Flat{whole(way.u), whole(way.v)};
   }
   bool round_, square_ = false;
+  double step_ = kDragStep;  // metres that sizes are multiples of
   std::optional<Flat> from_;
   Flat to_;
 };

@@ -1,6 +1,6 @@
 // A piece drawn on the flat pattern click by click. A place with Ctrl lies on a curve, all others are corners; with
 // Shift the line from the last place is level, upright or half-way between. The piece keeps the size it was drawn in.
-// Over a scan a click is as fine as the hand.
+// Over a scan, and with Alt, a click is as fine as the hand.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -71,9 +71,10 @@ class PolygonGesture : public Gesture {
     return shown;
   }
   Message hint() const override {
-    return places_.empty() ? info(Command::Polygon).hint
-                           : say("Click on; with Ctrl the line curves on, with Shift it is level, upright or between. "
-                                 "Enter closes it.");
+    return places_.empty()
+               ? info(Command::Polygon).hint
+               : say("Click on; with Ctrl the line curves on, with Shift it is level, upright or between, with "
+                     "Alt exactly where the hand is. Enter closes it.");
   }
   bool begun() const override { return !places_.empty(); }
   bool clicks() const override { return true; }
@@ -88,7 +89,7 @@ class PolygonGesture : public Gesture {
       const Flat along{std::cos(a), std::sin(a)};
       place = places_.back() + along * dot(way, along);
     }
-    if (underlayAt(context.snapshot->document.underlays, sample.place)) return tenth(place);
+    if (sample.alt || underlayAt(context.snapshot->document.underlays, sample.place)) return tenth(place);
     const auto whole = [](double metres) { return std::round(metres / kDragStep) * kDragStep; };
     return {whole(place.u), whole(place.v)};
   }

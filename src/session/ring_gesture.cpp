@@ -10,7 +10,8 @@ namespace karinui {
 
 namespace {
 
-constexpr double kTurn = 5 * kDegree;  // neither is the angle
+constexpr double kTurn = 5 * kDegree;        // neither is the angle
+constexpr double kFreeTurn = 0.2 * kDegree;  // nor that, drawn freely
 
 double whole(double value, double step) { return std::round(value / step) * step; }
 
@@ -18,6 +19,7 @@ class RingGesture : public Gesture {
  public:
   GestureResult feed(const PointerSample& sample, const Hit&, const GestureContext& context) override {
     const bool table = sample.where == PointerSample::Where::Table;
+    step_ = sample.alt ? kFreeStep : kDragStep, turn_ = sample.alt ? kFreeTurn : kTurn;
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
         if (outer_ > 0 && table) inner_ = sample.place;
@@ -87,7 +89,8 @@ class RingGesture : public Gesture {
   }
   Message hint() const override {
     return outer_ > 0 ? say("Click where the inner edge ends: straight above the middle is a whole ring, the middle "
-                            "itself a sector without one.")
+                            "itself a sector without one. Hold Alt to draw freely.")
+           : middle_  ? say("Sizes are whole half centimetres; hold Alt to draw freely.")
                       : info(Command::RingSector).hint;
   }
   bool begun() const override { return middle_.has_value(); }
@@ -97,17 +100,18 @@ class RingGesture : public Gesture {
   struct Sector {
     double inner, angle;
   };
-  double outerNow() const { return whole(distance(*middle_, pulled_), kDragStep); }
+  double outerNow() const { return whole(distance(*middle_, pulled_), step_); }
   // Where the pointer is, seen from the middle: its distance, and twice its angle from straight below.
   Sector sector() const {
     const Flat way = inner_ - *middle_;
-    const double inner = std::fmin(whole(length(way), kDragStep), outer_ - kShortestDrag);
-    const double angle = 2 * whole(std::fabs(std::atan2(way.u, -way.v)), kTurn / 2);
+    const double inner = std::fmin(whole(length(way), step_), outer_ - kShortestDrag);
+    const double angle = 2 * whole(std::fabs(std::atan2(way.u, -way.v)), turn_ / 2);
     return {std::fmax(0, inner), std::clamp(angle, kTurn, 2 * std::numbers::pi)};
   }
   std::optional<Flat> middle_;
   Flat pulled_, inner_;
   double outer_ = 0;  // metres; 0: not dragged yet
+  double step_ = kDragStep, turn_ = kTurn;
 };
 
 }  // namespace
