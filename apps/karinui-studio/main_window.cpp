@@ -68,6 +68,10 @@ MainWindow::MainWindow(SessionOptions options) {
   // Drafts are named on the session's thread, in the language of the moment.
   const auto spoken = std::make_shared<std::atomic<Language>>(Theme::here().language());
   if (!options.nameDraft) options.nameDraft = [spoken](const std::string& about) { return draftName(about, *spoken); };
+  if (!options.nameGarment)
+    options.nameGarment = [spoken](const Document& made, const Operation& by) {
+      return garmentName(made, by, *spoken);
+    };
   connect(&Theme::here(), &Theme::changed, this, [spoken] { *spoken = Theme::here().language(); });
   session_ = std::make_unique<Session>(std::move(options));
   session_->setLanguage(Theme::here().language());

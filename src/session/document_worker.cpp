@@ -84,6 +84,7 @@ Result<Step> DocumentWorker::perform(Operation operation, const Token& token, St
   Result<Step> step = file_.perform(std::move(operation), own);
   latest_.reset();
   if (!step) dropEmptyDraft();
+  if (step) nameAfterGarment(&step->operation);
   return step;
 }
 Result<Step> DocumentWorker::undo(const Token& token) {
@@ -140,7 +141,9 @@ Done DocumentWorker::goTo(std::uint64_t seq, std::uint64_t towards, const Token&
 Done DocumentWorker::amend(std::size_t which, Operation operation, const Token& token) {
   Context own = context(token);
   own.advise = {};  // every step after it is done anew
-  return file_.amend(which, std::move(operation), own);
+  Done done = file_.amend(which, std::move(operation), own);
+  if (done) nameAfterGarment(nullptr);
+  return done;
 }
 
 DocumentState DocumentWorker::state(const Token& token) {
@@ -248,14 +251,34 @@ Done DocumentWorker::moveTo(const std::filesystem::path& path) {
   return done;
 }
 
+std::filesystem::path DocumentWorker::draftPath(const std::string& name, int n) const {
+  const std::string numbered = name + (n > 1 ? " " + std::to_string(n) : "") + ".";
+  return options_.drafts / (numbered + std::string(fileFormat("document").endings.front()));
+}
+
+// Where it cannot be moved it keeps its name: nothing is lost by that.
+void DocumentWorker::nameAfterGarment(const Operation* by) {
+  if (!begunDraft_ || !options_.nameGarment || file_.document().pattern.pieces.empty()) return;
+  if (!madeBy_ && by) madeBy_ = *by;
+  const std::string name = madeBy_ ? options_.nameGarment(file_.document(), *madeBy_) : std::string();
+  if (name.empty() || name == garmentName_) return;
+  garmentName_ = name;
+  std::error_code trouble;
+  for (int n = 1;; ++n) {
+    const auto path = draftPath(name, n);
+    if (std::filesystem::exists(path, trouble)) continue;
+    if (moveTo(path)) begunDraft_ = true;  // nobody has chosen this name
+    return;
+  }
+}
+
 Done DocumentWorker::beginDraft(const std::string& about) {
   if (!file_.path().empty() || options_.drafts.empty() || !file_.steps().empty()) return {};
   std::error_code trouble;
   std::filesystem::create_directories(options_.drafts, trouble);
   const std::string name = options_.nameDraft ? options_.nameDraft(about) : about.empty() ? "draft" : about;
   for (int n = 1;; ++n) {
-    const std::string numbered = name + (n > 1 ? " " + std::to_string(n) : "") + ".";
-    const auto path = options_.drafts / (numbered + std::string(fileFormat("document").endings.front()));
+    const auto path = draftPath(name, n);
     if (std::filesystem::exists(path, trouble)) continue;
     auto made = DocumentFile::create(path);
     if (!made && std::filesystem::exists(path, trouble)) continue;  // another Karinui was quicker
@@ -265,7 +288,7 @@ Done DocumentWorker::beginDraft(const std::string& about) {
           "it with File, Save as; nothing was done.",
           options_.drafts.string()));
     file_ = *std::move(made);
-    begunDraft_ = true;
+    begunDraft_ = true, madeBy_.reset(), garmentName_.clear();
     return {};
   }
 }

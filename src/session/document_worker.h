@@ -67,6 +67,8 @@ class DocumentWorker {
 
  private:
   static std::uint64_t newestOf(const DocumentFile& file);
+  std::filesystem::path draftPath(const std::string& name, int n) const;  // `n`: of those that are called so
+  void nameAfterGarment(const Operation* by);  // a draft begun here; `by`: the step that was just done
   Prints prints();
   SnapshotPtr fitted(Document document, const Token& token);
   PoseOnlooker onlooker(const Token& token);
@@ -78,6 +80,8 @@ class DocumentWorker {
   bool readOnly_ = false;
   std::uint64_t opened_ = 0;  // the newest step that was there
   bool begunDraft_ = false;
+  std::optional<Operation> madeBy_;  // the step that made the first pieces of a draft begun here
+  std::string garmentName_;          // what the draft was called after them
   std::vector<Advice> advice_;
   struct Pulling {
     PieceId piece;

@@ -301,5 +301,36 @@ TEST_F(Drafts, ThePatternIsSharedWhileTheDocumentIsOpen) {
   EXPECT_EQ(refused(session), "") << "and work goes on";
 }
 
+// What was begun with a figure is called after what is made for it, and follows the figure until a person names it.
+TEST_F(Drafts, AreCalledAfterTheGarment) {
+  SessionOptions named = options();
+  named.nameGarment = [](const Document& made, const Operation& by) {
+    return std::holds_alternative<DraftBlock>(static_cast<const PlainOperation&>(by)) ? "Skirt " + made.body.size : "";
+  };
+  Session session(named);
+  perform(session, "body size=jis9ar");
+  EXPECT_EQ(session.path(), drafts() / "jis9ar today.karinui");
+  perform(session, "block kind=skirt");
+  EXPECT_EQ(session.path(), drafts() / "Skirt jis9ar.karinui") << refused(session);
+  EXPECT_TRUE(session.draft());
+  const std::size_t steps = session.steps().size();
+  session.amend(1, *parseOperation("body size=eu44w"));
+  session.finish();
+  EXPECT_EQ(session.path(), drafts() / "Skirt eu44w.karinui") << refused(session);
+  perform(session, "set ease=1cm");
+  for (const std::string& file : files()) EXPECT_THAT(file, testing::StartsWith("Skirt eu44w.")) << "one document";
+  session.command(Command::Undo);
+  session.finish();
+  EXPECT_EQ(session.steps().size(), steps) << "undo goes on in the renamed file";
+  session.saveAs(folder_ / "mine.karinui");
+  session.finish();
+  session.amend(1, *parseOperation("body size=jis9ar"));
+  session.finish();
+  EXPECT_EQ(session.path(), folder_ / "mine.karinui") << "a name that was chosen stays";
+  session.begin(DocumentFile::inMemory());
+  perform(session, kPiece);
+  EXPECT_EQ(session.path(), drafts() / "Draft today.karinui") << "a piece is no garment";
+}
+
 }  // namespace
 }  // namespace karinui

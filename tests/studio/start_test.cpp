@@ -67,7 +67,7 @@ TEST(StudioStart, AFigureInAnEmptyWindowIsAFileAndIsFoundAgain) {
   ASSERT_EQ(f.w.count(), 1u);
   const fs::path draft = f.w.session().path();
   EXPECT_EQ(draft.parent_path(), draftsFolder());
-  EXPECT_THAT(draft.filename().string(), testing::MatchesRegex("JIS9AR 20..-..-..\\.karinui"));
+  EXPECT_THAT(draft.filename().string(), testing::MatchesRegex("JIS 9AR .women. 20..-..-..\\.karinui"));
   EXPECT_TRUE(fs::exists(draft));
 
   f.strike(f.w.space(), Qt::Key_W, Qt::ControlModifier);

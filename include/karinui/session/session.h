@@ -37,6 +37,9 @@ struct SessionOptions {
   // Instead of the real solver, for tests; called on the worker thread.
   std::function<Result<DrapeOutcome>(const Document&, const DrapePieces&, Context&)> drape;
   std::function<Result<DrapeOutcome>(const Document&, const PullCloth&, Context&)> pull;
+  // A better name for a draft that was begun here, once it has its first pieces: asked with what is there and the step
+  // that made those. The file is renamed, until a person saves it. Empty: it stays. Called on the worker thread.
+  std::function<std::string(const Document& made, const Operation& by)> nameGarment = {};
 };
 
 struct Notice {  // what the person should read once
