@@ -3,7 +3,9 @@
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QPainter>
+#include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "karinui/base/number.h"
@@ -15,6 +17,7 @@ namespace karinui::studio {
 
 namespace {
 
+constexpr int kButtonAt = 8;                     // pixels from the upper left corner
 constexpr double kRulerUp = 18, kRulerPad = 18;  // pixels: from the foot to the ruler; round its words
 
 double niceStep(double pixelsPerMetre) {
@@ -28,6 +31,18 @@ double niceStep(double pixelsPerMetre) {
 PatternView::PatternView(Session& session, LatencyLog& latencyLog, QWidget* parent)
     : QWidget(parent), session_(session), latencyLog_(latencyLog) {
   preparePointing(*this, {220, 200});
+  scans_ = new QToolButton(this);
+  scans_->setObjectName("show_scans");
+  scans_->setCheckable(true);
+  scans_->setFocusPolicy(Qt::NoFocus);  // Work, Scans to trace is for the keys
+  scans_->move(kButtonAt, kButtonAt);
+  scans_->hide();
+  Theme::here().keep(scans_, [this] {
+    scans_->setText(inWords(say("Scan")));
+    scans_->setToolTip(inWords(say("Shows or hides the scans that lie under the pattern.")));
+    scans_->adjustSize();
+  });
+  connect(scans_, &QToolButton::clicked, this, &PatternView::showScans);
   connect(&Theme::here(), &Theme::changed, this, [this] { update(); });
 }
 
@@ -61,9 +76,22 @@ void PatternView::showAll() {
   update();
 }
 
+void PatternView::showScans(bool shown) {
+  for (const auto& [name, lies] : Underlays(session_.snapshot().document.underlays)) {
+    if (lies.hidden != shown) continue;
+    LayUnderlay op;
+    op.name = name, op.hidden = !shown;
+    session_.perform(std::move(op));
+  }
+}
+
 // Where pieces were laid anew, and out of sight, all are shown again.
 void PatternView::refresh() {
   const GarmentSnapshot& fitting = session_.snapshot();
+  const Underlays& scans = fitting.document.underlays;
+  scans_->setVisible(!scans.empty());
+  scans_->setEnabled(!session_.readOnly());
+  scans_->setChecked(std::any_of(scans.begin(), scans.end(), [](const auto& one) { return !one.second.hidden; }));
   const std::size_t pieces = fitting.worn.size() + fitting.document.underlays.size();
   std::map<PieceId, Flat> lie;
   for (const auto& worn : fitting.worn) lie[worn.id] = session_.table().at(worn.id);

@@ -8,6 +8,8 @@
 #include "mouse.h"
 #include "table_painter.h"
 
+class QToolButton;
+
 namespace karinui::studio {
 
 class PatternView : public QWidget {
@@ -42,10 +44,12 @@ class PatternView : public QWidget {
  private:
   PointerSample sampleAt(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase) const;
   void feed(const QPointF& at, Qt::KeyboardModifiers keys, PointerSample::Phase phase);
+  void showScans(bool shown);
   TableOnScreen screen() const;
   FlatBox all() const;  // the pieces and scans that lie there
 
   Session& session_;
+  QToolButton* scans_;  // whether they are seen
   LatencyLog& latencyLog_;
   LetteringRooms rooms_;
   double scale_ = 500;  // pixels a metre

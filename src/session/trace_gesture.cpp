@@ -101,7 +101,7 @@ class TraceGesture : public Gesture {
         if (std::exchange(typing_, true)) return chooseNumber(dropMenu(context)->number->value, context);
         return {};
       case 1:
-        return scaled(0.1);
+        return scaled(0.1, context);
       case 2:
         op.upright = places_;
         return {.over = true, .operation = std::move(op)};
@@ -113,7 +113,7 @@ class TraceGesture : public Gesture {
     }
   }
   GestureResult chooseNumber(double typed, const GestureContext& context) override {
-    return asks() ? scaled(typed * (context.inches ? 0.0254 : 0.01)) : GestureResult();
+    return asks() ? scaled(typed * (context.inches ? 0.0254 : 0.01), context) : GestureResult();
   }
   void moveInMenu(int by, const GestureContext&) override {
     constexpr int kItems = 4;
@@ -168,10 +168,45 @@ class TraceGesture : public Gesture {
     lies_.turn = std::remainder(before_.turn + angleFrom(from, to), 2 * std::numbers::pi);
     lies_.turn = std::round(lies_.turn * 1e5) / 1e5;
   }
-  GestureResult scaled(double apart) const {
+  GestureResult scaled(double apart, const GestureContext& context) const {
     LayUnderlay op;
     op.name = name_, op.between = places_, op.apart = Length{apart};
+    // Grown over pieces that it lay clear of, it goes aside: left of all of them, as it first came.
+    Underlay grown = before_;
+    const Flat held = before_.inPicture(places_[0]);
+    grown.width *= apart / distance(places_[0], places_[1]);
+    grown.at += places_[0] - grown.onTable(held);
+    if (covers(grown, context) && !covers(before_, context)) {
+      constexpr double kClear = 0.05;  // metres between the scan and the pieces
+      op.between.clear(), op.apart = {};
+      op.width = Length{hundredth(grown.width)};
+      op.at = hundredth(grown.at + Flat{leftOfAll(context) - kClear - boxOf(grown).high.u, 0});
+    }
     return {.over = true, .operation = std::move(op)};
+  }
+  static FlatBox boxOf(const Underlay& lies) {
+    FlatBox box;
+    for (const Flat corner :
+         {Flat{0, 0}, Flat{1.0 * lies.wide, 0}, Flat{0, 1.0 * lies.high}, Flat{1.0 * lies.wide, 1.0 * lies.high}})
+      box.include(lies.onTable(corner));
+    return box;
+  }
+  // Whether it comes to lie under a piece.
+  static bool covers(const Underlay& lies, const GestureContext& context) {
+    const FlatBox box = boxOf(lies);
+    for (const auto& worn : context.snapshot->worn) {
+      FlatBox piece;
+      for (const Flat p : worn.ring) piece.include(p + context.table->at(worn.id));
+      if (piece.low.u < box.high.u && box.low.u < piece.high.u && piece.low.v < box.high.v && box.low.v < piece.high.v)
+        return true;
+    }
+    return false;
+  }
+  static double leftOfAll(const GestureContext& context) {
+    double left = HUGE_VAL;
+    for (const auto& worn : context.snapshot->worn)
+      for (const Flat p : worn.ring) left = std::fmin(left, p.u + context.table->at(worn.id).u);
+    return left;
   }
 
   std::string name_;

@@ -173,6 +173,41 @@ TEST(Trace, AScanIsDraggedTurnedHiddenAndTakenOut) {
   EXPECT_EQ(t.document().underlays.size(), 1u);
 }
 
+// Told that it is twice as large, the scan would come to lie under a piece beside it: it goes aside.
+TEST(Trace, AScanThatGrowsLiesUnderNoPiece) {
+  Tracing t;
+  const Underlay was = t.scan();
+  const double right = was.at.u + was.width / 2;
+  char line[200];
+  std::snprintf(line, sizeof line, "rectangle name=beside width=20cm height=30cm");
+  t.session.perform(*parseOperation(line));
+  t.session.finish();
+  const PieceId beside = t.document().pieceNamed("beside")->id;
+  const auto low = [&] {
+    FlatBox box;
+    for (const auto& worn : t.session.snapshot().worn)
+      for (const Flat p : worn.ring) box.include(p + t.session.table().at(worn.id));
+    return box;
+  };
+  // Laid just right of the scan, by the hand.
+  t.session.command(Command::Move);
+  const Flat hold = lerp(low().low, low().high, 0.5);
+  const Flat there{right + 0.12, was.at.v};
+  t.feed(hold, Phase::Press);
+  t.feed(there, Phase::Drag);
+  t.feed(there, Phase::Release);
+  t.session.finish();
+  ASSERT_GT(low().low.u, right) << t.said() << text(beside);
+  t.session.command(Command::Trace);
+  t.click(t.there(kSquare[0]));
+  t.click(t.there(kSquare[1]));
+  t.session.chooseNumber(3 * 100 * distance(t.there(kSquare[0]), t.there(kSquare[1])));
+  t.session.finish();
+  EXPECT_NEAR(t.scan().width, 3 * was.width, 1e-4) << t.said();
+  EXPECT_LT(t.scan().at.u + t.scan().width / 2, low().low.u) << "left of the piece";
+  EXPECT_EQ(t.session.steps().size(), 3u) << "one step";
+}
+
 TEST(Trace, FourCornersAreTypedAsARectangle) {
   Tracing t;
   t.session.command(Command::Trace);

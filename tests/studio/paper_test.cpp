@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
+#include <QTemporaryDir>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <numbers>
 
@@ -52,6 +54,38 @@ TEST(StudioPaper, MakesDartsWithTwoClicksAndTheClothFollows) {
   EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), seams + 2) << "one on each half, sewn";
   EXPECT_TRUE(w.session().snapshot().document.drape.last->settled);
   EXPECT_LT(w.session().snapshot().document.drape.last->seamGap, 0.002) << "the darts are closed";
+}
+
+// One click hides the scan that lies under the pattern, and one shows it again.
+TEST(StudioPaper, AScanIsHiddenByOneClick) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  auto* button = w.table().findChild<QToolButton*>("show_scans");
+  ASSERT_TRUE(button);
+  EXPECT_FALSE(button->isVisible()) << "there is no scan";
+  QTemporaryDir folder;
+  const QString file = folder.filePath("sheet.png");
+  QImage sheet(300, 400, QImage::Format_RGB32);
+  sheet.fill(Qt::white);
+  ASSERT_TRUE(sheet.save(file));
+  w.session().importScan(file.toStdString());
+  w.rest();
+  ASSERT_EQ(w.session().snapshot().document.underlays.size(), 1u) << w.main().said().toStdString();
+  const auto hidden = [&] { return w.session().snapshot().document.underlays.begin()->second.hidden; };
+  EXPECT_TRUE(button->isVisible());
+  EXPECT_TRUE(button->isChecked());
+  w.click(*button, button->rect().center());
+  w.rest();
+  EXPECT_TRUE(hidden());
+  EXPECT_FALSE(button->isChecked());
+  w.click(*button, button->rect().center());
+  w.rest();
+  EXPECT_FALSE(hidden());
+  w.key(Command::Undo);
+  w.rest();
+  EXPECT_TRUE(hidden()) << "it is a step like others";
+  EXPECT_FALSE(button->isChecked());
 }
 
 TEST(StudioPaper, AThinLineOfAScanIsWholeHoweverSmallItIsDrawn) {
