@@ -308,6 +308,48 @@ Done checkZip(const Document& before, Fastening own, const std::vector<EdgeRef>&
   return {};
 }
 
+// The edge that meets this one at one of its ends, there.
+std::optional<SeamPlace> roundCorner(const Pattern& pattern, const SeamPlace& end) {
+  const Outline& outline = pattern.pieces.at(end.piece)->outline;
+  const auto k = outline.find(end.edge);
+  if (!k) return std::nullopt;
+  const std::size_t n = outline.edges.size();
+  return end.fraction < 0.5 ? SeamPlace{end.piece, outline.edges[(*k + n - 1) % n].name, 1}
+                            : SeamPlace{end.piece, outline.edges[(*k + 1) % n].name, 0};
+}
+// Whether two places of a piece are one, or the ends of what is closed by a seam.
+bool joined(const Pattern& pattern, const SeamPlace& one, const SeamPlace& other) {
+  constexpr double kOnePlace = 0.003;  // metres
+  if (one.piece != other.piece) return false;
+  const auto at = [&](const SeamPlace& place) {
+    return findEdge(*pattern.pieces.at(place.piece), place.edge)->curve.atFraction(place.fraction);
+  };
+  if (distance(at(one), at(other)) < kOnePlace) return true;
+  const auto end = roundCorner(pattern, one), far = roundCorner(pattern, other);
+  if (!end || !far) return false;
+  const std::vector<SeamPlace> sewn = sewnTo(pattern, {end->piece, end->edge, 0.5});
+  return std::any_of(sewn.begin(), sewn.end(),
+                     [&](const SeamPlace& place) { return place.piece == far->piece && place.edge == far->edge; });
+}
+// A waistband that was sewn on before the zip goes on, closed, over the zip's upper end.
+void tellShutAbove(const Document& after, const Fastening& zip, const Context& context) {
+  constexpr double kAtTheEnd = 0.01;  // metres: a zip that begins further down is not to open the edge
+  const Pattern& pattern = after.pattern;
+  const SeamSide a(pattern, zip.a, false), b(pattern, zip.b, zip.reversed);
+  const double end = zip.fromStart ? 0 : 1, begins = zip.fromStart ? zip.at.front() : 1 - zip.at.back();
+  if (!context.advise || begins * a.length() > kAtTheEnd) return;
+  const auto onA = roundCorner(pattern, a.at(end)), onB = roundCorner(pattern, b.at(end));
+  if (!onA || !onB) return;
+  for (const SeamPlace& one : sewnTo(pattern, *onA))
+    for (const SeamPlace& other : sewnTo(pattern, *onB))
+      if (findEdge(*after.find(one.piece), one.edge) && findEdge(*after.find(other.piece), other.edge) &&
+          joined(pattern, one, other))
+        return context.advise(
+            {say("“{0}” goes on, closed, over the upper end of the zip: nobody gets in there. Undo both, set the zip "
+                 "first and then “{0}”: it begins at the zip.",
+                 after.find(one.piece)->name)});
+}
+
 Done checkSet(const Document& before, const Fastening& own, const std::vector<EdgeRef>& a,
               const std::vector<EdgeRef>& b) {
   if (own.kind == FasteningKind::Zip) return checkZip(before, own, a, b);
@@ -440,6 +482,7 @@ Result<Document> perform(const Document& before, const Fasten& op, Context& cont
     unpick(own);
     own.closed = own.kind == FasteningKind::Zip ? 0 : static_cast<int>(own.at.size());
     if (const auto same = sameThere(all, own); same != all.end()) all.erase(same);
+    if (own.kind == FasteningKind::Zip) tellShutAbove(after, own, context);
     all[op.name] = std::move(own);
   }
   const auto own = all.find(op.name);
