@@ -97,12 +97,13 @@ void PatternView::refresh() {
   for (const auto& worn : fitting.worn) lie[worn.id] = session_.table().at(worn.id);
   if (!mine_ && pieces != piecesShown_) {
     showAll();
-  } else if (!mine_ && lie != lieShown_ && !session_.begun()) {
+  } else if (!mine_ && (lie != lieShown_ || scans != scansShown_) && !session_.begun()) {
     const FlatBox box = all();
     const QRectF seen(rect());
     if (!box.empty() && !(seen.contains(onScreen(box.low)) && seen.contains(onScreen(box.high)))) showAll();
   }
   lieShown_ = std::move(lie);
+  scansShown_ = scans;
   piecesShown_ = pieces;
   update();
 }

@@ -56,6 +56,7 @@ class PatternView : public QWidget {
   Flat middle_{0.4, -0.3};
   std::size_t piecesShown_ = 0;
   std::map<PieceId, Flat> lieShown_;
+  Underlays scansShown_;
   Held held_ = Held::Nothing;
   bool nest_ = false;
   bool mine_ = false;

@@ -82,6 +82,12 @@ TEST(StudioPaper, AScanIsHiddenByOneClick) {
   w.click(*button, button->rect().center());
   w.rest();
   EXPECT_FALSE(hidden());
+  // One that grows out of sight is shown as a whole.
+  w.session().perform(*parseOperation("underlay width=3m at=-2m,-1m"));
+  w.rest();
+  EXPECT_TRUE(w.table().rect().contains(w.table().onScreen({-3.5, -1}).toPoint()));
+  w.key(Command::Undo);
+  w.rest();
   w.key(Command::Undo);
   w.rest();
   EXPECT_TRUE(hidden()) << "it is a step like others";
