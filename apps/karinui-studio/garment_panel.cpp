@@ -438,6 +438,13 @@ void GarmentPanel::fillTree() {
   for (int i = 0; i < tree_->topLevelItemCount(); ++i)
     if (tree_->topLevelItem(i)->isExpanded())
       open.insert(tree_->topLevelItem(i)->data(0, Qt::UserRole + 1).toULongLong());
+  // Keys go on from where they were.
+  const auto identity = [](const QTreeWidgetItem* item) {
+    QVariantList all;
+    for (int role = Qt::UserRole; item && role <= Qt::UserRole + 4; ++role) all << item->data(0, role);
+    return all;
+  };
+  const QVariantList was = tree_->hasFocus() ? identity(tree_->currentItem()) : QVariantList();
   tree_->clear();
   const Document& document = session_.snapshot().document;
   const Selection& selection = session_.selection();
@@ -520,7 +527,12 @@ void GarmentPanel::fillTree() {
     item->setData(0, Qt::UserRole + 1, static_cast<qulonglong>(id.value));
     if (selection.seam == id && !selection.edge) item->setSelected(true), current = item;
   }
-  if (current) tree_->scrollToItem(current);
+  for (QTreeWidgetItemIterator it(tree_); !was.isEmpty() && *it; ++it)
+    if (identity(*it) == was) current = *it;
+  if (current) {
+    tree_->setCurrentItem(current, 0, QItemSelectionModel::NoUpdate);
+    tree_->scrollToItem(current);
+  }
   filling_ = false;
 }
 

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QTreeWidget>
 
 #include "karinui/design/script.h"
 #include "length_box.h"
@@ -91,6 +92,34 @@ TEST(StudioEdges, AnArmholeGetsLongerWithItsCap) {
   s.w.rest();
   EXPECT_THAT(s.w.last(), AllOf(HasSubstr("beside=keep"), HasSubstr("partners=no"), Not(HasSubstr("armhole_right"))));
   EXPECT_NEAR(s.length("front", "armhole_left"), front + 0.01, 1e-6);
+}
+
+// The arrows go through the list, one row after the other, though each choice fills it anew.
+TEST(StudioEdges, TheArrowsGoThroughTheTree) {
+  KARINUI_NEEDS_DISPLAY();
+  Sleeved s;
+  auto* tree = s.w.main().findChild<QTreeWidget*>();
+  ASSERT_TRUE(tree);
+  tree->setFocus();
+  tree->setCurrentItem(tree->topLevelItem(0));
+  tree->topLevelItem(0)->setExpanded(true);
+  s.w.rest();
+  const Piece piece = *s.w.session().snapshot().document.find(*s.w.session().selection().pieces.begin());
+  for (std::size_t k = 0; k < 3; ++k) {
+    s.w.type(*tree, Qt::Key_Down);
+    s.w.rest();
+    ASSERT_TRUE(s.w.session().selection().edge) << k;
+    EXPECT_EQ(s.w.session().selection().edge->edge, piece.outline.edges[k].name);
+  }
+  s.w.type(*tree, Qt::Key_Up);
+  s.w.rest();
+  EXPECT_EQ(s.w.session().selection().edge->edge, piece.outline.edges[1].name);
+  // What the keys are on stays theirs where a step changes the garment.
+  s.w.session().perform(*parseOperation("notch edge=front.hem at=0.3"));
+  s.w.rest();
+  s.w.type(*tree, Qt::Key_Down);
+  s.w.rest();
+  EXPECT_EQ(s.w.session().selection().edge->edge, piece.outline.edges[2].name);
 }
 
 TEST(StudioEdges, WhatTakesAListTakesAllThatAreChosen) {
