@@ -310,7 +310,7 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
     for (const Strength& one : strengthsOf(session_->snapshot().document, {{PieceRef(piece), line}}))
       offer(*menu, one.words, one.operation);
     offer(*menu, say("Elastic along {0}…", nameSaid(line)),
-          [this, elastic = elasticAlong(session_->snapshot().document, {PieceRef(piece), line})] {
+          [this, elastic = elasticAlong(session_->snapshot().document, {{PieceRef(piece), line}})] {
             askNumbers(elastic);
           });
   };
@@ -375,6 +375,7 @@ void MainWindow::addRunOperations(QMenu& menu, const EdgeRef& ref, const std::ve
     offer(menu, words, [this, run, along] { askNumbers(along(session_->snapshot().document, run)); });
   };
   for (const Strength& one : strengthsOf(document, run)) offer(menu, one.words, one.operation);
+  offerFinish(say("Elastic…"), elasticAlong);
   offerFinish(say("Shirring…"), shirringAlong);
   offerFinish(say("Topstitch…"), topstitchAlong);
   offerFinish(say("Piping…"), pipingAlong);

@@ -298,11 +298,12 @@ double tidy(double number) { return std::round(number * 1e4) / 1e4; }  // as it 
 
 }  // namespace
 
-SewElastic elasticAlong(const Document& document, const EdgeRef& line) {
+SewElastic elasticAlong(const Document& document, std::vector<EdgeRef> edges) {
   constexpr double kDrawnIn = 0.6;  // of a line's length the elastic
   SewElastic made;
-  made.edges = {line};
-  made.ratio = kDrawnIn;
+  made.edges = std::move(edges);
+  const Piece* piece = made.edges.empty() ? nullptr : document.find(made.edges.front().piece.id);
+  made.ratio = piece && findEdge(*piece, made.edges.front().edge) ? Elastic().ratio : kDrawnIn;
   if (const Elastic* own = finishOn(document.allowances.elastics, made.edges))
     made.ratio = tidy(own->ratio), made.strength = own->strength;
   return made;
@@ -614,6 +615,7 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
     add(name, words, Of::Edges, [run, along, this] { return Operation(along(session_->snapshot().document, run())); });
   };
   menu->addSeparator();
+  addFinish("elastic", say("Elastic along the chosen edge…"), elasticAlong);
   addFinish("shirring", say("Shirring along the chosen edge…"), shirringAlong);
   addFinish("topstitch", say("Topstitching along the chosen edge…"), topstitchAlong);
   addFinish("piping", say("Piping along the chosen edge…"), pipingAlong);

@@ -34,7 +34,7 @@ Fasten zipIn(const Document& document, SeamId seam);
 // Over this edge, in the seam that joins it alone to one edge; nothing where it has none.
 std::optional<SewFly> flyAt(const Document& document, const EdgeRef& over);
 // As the dialog first offers it: what is along the edges or the inner line already, otherwise with the usual numbers.
-SewElastic elasticAlong(const Document& document, const EdgeRef& line);
+SewElastic elasticAlong(const Document& document, std::vector<EdgeRef> edges);   // or along a line
 SewElastic shirringAlong(const Document& document, std::vector<EdgeRef> edges);  // five rows of a weak elastic
 SewTopstitch topstitchAlong(const Document& document, std::vector<EdgeRef> edges);
 SewPiping pipingAlong(const Document& document, std::vector<EdgeRef> edges);

@@ -539,7 +539,8 @@ TEST(StudioNewPieces, FinishesAreRefusedInTheDialogAndAmendedFromWhatIsThere) {
   struct Asked {
     const char *words, *field, *bad, *good, *shown, *step;
   };
-  for (const Asked& one : {Asked{"Piping…", "thickness", "9cm", "6mm", "0.6 cm", "thickness=6mm"},
+  for (const Asked& one : {Asked{"Elastic…", "ratio", "3", "0.65", "0.65", "ratio=0.65"},
+                           Asked{"Piping…", "thickness", "9cm", "6mm", "0.6 cm", "thickness=6mm"},
                            Asked{"Topstitch…", "rows", "30", "2", "2", "rows=2"},
                            Asked{"Binding…", "width", "1m", "12mm", "1.2 cm", "width=12mm"}}) {
     {
@@ -593,7 +594,7 @@ TEST(StudioNewPieces, LinesAreAmendedFromWhatTheyHave) {
         "fold piece=front line=pocket angle=30deg hold=0.7"})
     w.session().perform(*parseOperation(step)), w.rest();
   const Document& document = w.session().snapshot().document;
-  const SewElastic elastic = elasticAlong(document, {PieceRef(id), "pocket"});
+  const SewElastic elastic = elasticAlong(document, {{PieceRef(id), "pocket"}});
   EXPECT_EQ(elastic.ratio, 0.8);
   EXPECT_EQ(elastic.strength, 4);
   EXPECT_FALSE(elastic.rows);
