@@ -244,6 +244,7 @@ void StartPage::fill() {
   if (!list_->currentItem() && list_->count() > 0) list_->setCurrentRow(0, QItemSelectionModel::NoUpdate);
   none_->setVisible(paths.isEmpty());
   list_->setVisible(!paths.isEmpty());
+  setFocusProxy(paths.isEmpty() ? static_cast<QWidget*>(fresh_) : list_);  // Enter goes on where one left
   thumbnails_->want(paths);
 }
 

@@ -74,6 +74,7 @@ TEST(StudioStart, AFigureInAnEmptyWindowIsAFileAndIsFoundAgain) {
   ASSERT_TRUE(f.w.main().atStart());
   f.w.rest();
   ASSERT_EQ(f.cards().count(), 1);
+  EXPECT_EQ(f.w.main().focusWidget(), &f.cards()) << "the keys are on what was left";
   const QListWidgetItem* card = f.cards().item(0);
   EXPECT_EQ(card->text().toStdString(), draft.stem().string());
   EXPECT_THAT(card->data(Qt::AccessibleTextRole).toString().toStdString(), HasSubstr("Draft, today"));
