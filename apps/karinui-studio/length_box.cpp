@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <QToolTip>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -16,7 +17,9 @@ namespace karinui::studio {
 std::optional<double> metresIn(QString text) {
   text = text.normalized(QString::NormalizationForm_KC);  // digits of full width
   const std::string said = text.replace(',', '.').replace('"', "in").remove(' ').toStdString();
-  if (const auto bare = parseNumber(said)) return *bare * (Theme::here().inches() ? 0.0254 : 0.01);
+  constexpr double kFinest = 1e9;  // to the metre: 94 cm are 0.94 m in the record, not 0.9400000000000001
+  if (const auto bare = parseNumber(said))
+    return std::round(*bare * (Theme::here().inches() ? 0.0254 : 0.01) * kFinest) / kFinest;
   const auto length = parseLength(said);
   return length ? std::optional(*length) : std::nullopt;
 }

@@ -147,6 +147,15 @@ TEST(StudioTyped, AMeasureIsTypedWhereverOneClicks) {
   EXPECT_TRUE(w.session().figure()->set.empty());
 }
 
+// 94 × 0.01 is not 0.94.
+TEST(StudioTyped, ALengthIsRecordedAsItWasTyped) {
+  for (const int centimetres : {7, 29, 57, 94, 115}) {
+    const auto metres = metresIn(QString::number(centimetres));
+    ASSERT_TRUE(metres);
+    EXPECT_EQ(*metres, centimetres / 100.0) << centimetres;
+  }
+}
+
 TEST(StudioTyped, WhatCannotBeIsRefusedWithWhatCanAndTheOldNumberStays) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
