@@ -160,8 +160,8 @@ Done checkOpen(const Document& before, const Fastening& own) {
             if (span.piece == at.piece && span.edge == at.edge && at.fraction > span.from + kEnd &&
                 at.fraction < span.to - kEnd && findEdge(*before.find(at.piece), at.edge))
               return refused(
-                  say("{0}.{1} is sewn to another edge there, by seam {2}; choose free edges, name the part that is "
-                      "free ({1}@0:0.5), or draw an inner line for it.",
+                  say("{0}.{1} is sewn to another edge there, by seam {2}; unpick that seam, choose free edges, name "
+                      "the part that is free ({1}@0:0.5), or draw an inner line for it.",
                       before.find(at.piece)->name, at.edge, spoken(seam)));
     }
   }
