@@ -58,6 +58,8 @@ DrawBand bandAlong(const Document& document, const EdgeRef& edge, std::vector<Ed
   band.depth = {made.deep};
   if (piece) band.fabric = piece->fabric;
   band.sew = seamsOn(document, band.of).empty();
+  constexpr double kLap = 0.03;  // metres: over the zip, or wherever it opens, for a button
+  if (band.sew && opensSomewhere(document, band.of)) band.extra = Length{kLap};
   return band;
 }
 

@@ -583,6 +583,32 @@ TEST(StudioNewPieces, FinishesAreRefusedInTheDialogAndAmendedFromWhatIsThere) {
   EXPECT_EQ(rows, 3) << "four with the edge's own";
 }
 
+// A waistband over a zip has a lap, and its ends stay open; one round a closed waist has none.
+TEST(StudioNewPieces, ABandLapsWhereTheRingOpens) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (
+      const char* step :
+      {"piece name=front outline=\"M -200 0; hem L 200 0; side_left L 200 400; waist L -200 400; side_right L -200 0\"",
+       "piece name=back pose=\"0,0,-0.3 y 180deg\" outline=\"M -200 0; hem L 200 0; side_right L 200 400; waist L -200 "
+       "400; side_left L -200 0\"",
+       "sew a=front.side_left b=back.side_left", "sew a=front.side_right b=back.side_right"})
+    w.session().perform(*parseOperation(step)), w.rest();
+  const EdgeRef waist{PieceRef(piece(w, "front").id), "waist"};
+  const auto band = [&] {
+    const Document& document = w.session().snapshot().document;
+    return bandAlong(document, waist, runThrough(document, waist));
+  };
+  EXPECT_EQ(band().of.size(), 2u);
+  EXPECT_EQ(band().extra, 0.0);
+  w.session().perform(*parseOperation("fasten kind=zip a=front.side_left b=back.side_left length=18cm"));
+  w.rest();
+  EXPECT_EQ(band().extra, 0.03) << w.main().said().toStdString();
+  w.session().perform(band());
+  w.rest();
+  EXPECT_EQ(w.session().snapshot().document.pattern.seams.size(), 3u) << "two sides and the waist: the ends are open";
+}
+
 // A line is turned back, and drawn in, from what it has.
 TEST(StudioNewPieces, LinesAreAmendedFromWhatTheyHave) {
   KARINUI_NEEDS_DISPLAY();

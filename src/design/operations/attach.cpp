@@ -257,6 +257,13 @@ void decideClear(double turn, Choice& clear, const Context& context) {
   if (clear == Choice::Auto && !context.recorded && turn > std::numbers::pi / 2) clear = Choice::Yes;
 }
 
+bool opensSomewhere(const Document& document, const std::vector<EdgeRef>& run) {
+  if (run.size() < 2 || !follows(document, run.back(), run.front())) return false;
+  for (std::size_t k = 0; k < run.size(); ++k)
+    if (!goesOnSewn(document, run[k], run[(k + 1) % run.size()])) return true;
+  return false;
+}
+
 std::vector<EdgeRef> fromOpening(const Document& document, std::vector<EdgeRef> run) {
   if (!follows(document, run.back(), run.front())) return run;
   for (std::size_t k = 0; k < run.size(); ++k) {

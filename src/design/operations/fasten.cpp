@@ -346,7 +346,7 @@ void tellShutAbove(const Document& after, const Fastening& zip, const Context& c
           joined(pattern, one, other))
         return context.advise(
             {say("“{0}” goes on, closed, over the upper end of the zip: nobody gets in there. Undo both, set the zip "
-                 "first and then “{0}”: it begins at the zip.",
+                 "first and then “{0}”, with a lap: it begins at the zip.",
                  after.find(one.piece)->name)});
 }
 
