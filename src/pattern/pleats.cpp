@@ -507,46 +507,6 @@ std::vector<PaperPleat> pleatsOf(const Pattern& pattern) {
   return pleats;
 }
 
-std::optional<std::function<FoldedPlace(Flat)>> foldingOf(const Pattern& pattern, PieceId id) {
-  constexpr double kAlike = 5e-4, kParallel = 1e-3, kSameStrip = 1e-3;  // metres; sine; metres
-  std::vector<PaperPleat> pleats = pleatsOf(pattern);
-  std::erase_if(pleats, [&](const PaperPleat& pleat) { return pleat.piece != id; });
-  if (pleats.empty()) return std::nullopt;
-  const Flat along = pleats.front().along, across = -leftOf(along);
-  const auto straight = [&](Flat from) {
-    const Piece& piece = *pattern.pieces.at(id);
-    return std::all_of(piece.lines.begin(), piece.lines.end(), [&](const InternalLine& line) {
-      if (line.curves.empty()) return true;
-      const Flat start = line.curves.front().start, end = line.curves.back().end;
-      if (std::min(distance(start, from), distance(end, from)) > kSameFold) return true;
-      const auto points = line.curves.front().flattened(1e-4);
-      return line.curves.size() == 1 && std::all_of(points.begin(), points.end(), [&](Flat p) {
-               return std::fabs(dot(p - start, across)) <= kParallel * std::max(0.1, distance(start, end));
-             });
-    });
-  };
-  FoldedPaper paper{across, std::fabs(dot(pleats.front().fold - pleats.front().place, across)) / 2, false, {}};
-  for (const PaperPleat& pleat : pleats) {
-    const double fold = dot(pleat.fold, across), place = dot(pleat.place, across);
-    if (std::fabs(cross(pleat.along, along)) > kParallel || !straight(pleat.fold) || !straight(pleat.place) ||
-        std::fabs(std::fabs(fold - place) / 2 - paper.depth) > kAlike)
-      return std::nullopt;
-    const double strip = std::min(fold, place);
-    const bool known = std::any_of(paper.folds.begin(), paper.folds.end(),
-                                   [&](const auto& one) { return std::fabs(one.strip - strip) < kSameStrip; });
-    if (!known) paper.folds.push_back({0, 0, strip, place < fold});
-  }
-  std::sort(paper.folds.begin(), paper.folds.end(), [](const auto& a, const auto& b) { return a.strip < b.strip; });
-  for (std::size_t k = 0; k < paper.folds.size(); ++k) {
-    auto& fold = paper.folds[k];
-    fold.at = fold.strip - 2 * paper.depth * static_cast<double>(k);
-    fold.low = fold.toStart ? fold.at : fold.at - paper.depth;
-    paper.overlapping = paper.overlapping || (k > 0 && fold.toStart == paper.folds[k - 1].toStart &&
-                                              fold.at - paper.folds[k - 1].at < paper.depth - kAlike);
-  }
-  return [paper](Flat place) { return paper.folded(place); };
-}
-
 std::set<std::string> linesOfLattice(const Pattern& pattern, const Piece& piece) {
   std::set<std::string> names;
   const auto lineNamed = [&](const std::string& name) -> const Curve* {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "design/draping_room.h"
+#include "karinui/pattern/pleats.h"
 
 namespace karinui {
 namespace {
@@ -190,6 +191,33 @@ TEST(FoldedPleats, StayFoldedWhenTheyArePlaced) {
       wide("body size=eu38\nset spacing=20mm\nrectangle name=panel width=24cm height=40cm\n" + placed);
   EXPECT_NEAR(wide(pleated + placed), before, 0.02);
   EXPECT_GT(wide(pleated + placed + " folded=no"), before + 0.02);
+}
+
+// So do those that are deeper at the waist than at the hip: below it the folded cloth is wider, at the waist it is not.
+TEST(FoldedPleats, ThatTaperStayFoldedWhenTheyArePlaced) {
+  for (const char* kind : {"knife", "box", "inverted"}) {
+    const std::string pleated =
+        "body size=eu38\nset spacing=12mm\nrectangle name=panel width=36cm height=40cm "
+        "edges=\"hem right waist left\"\npleat edge=panel.waist count=3 depth=25mm taper=12mm taper_length=18cm kind=" +
+        std::string(kind) + "\n";
+    EXPECT_TRUE(standsInOrder(pleated + "place piece=panel at=torso:waist@0 ease=2cm\n")) << kind;
+    Document document;
+    const auto lines = parseScript(pleated);
+    for (const ScriptLine& line : *lines) document = *apply(document, line.operation, drapingRoom().context);
+    const Piece& panel = *document.pieceNamed("panel");
+    const auto folding = foldingOf(document.pattern, panel.id);
+    ASSERT_TRUE(folding) << kind;
+    // The taper begins where the waist lies; halfway down three quarters of it are given up.
+    const FlatBox box = boxOf(panel.outline.flattened(1e-4));
+    const auto wide = [&](double below) {
+      const double v = box.high.v - below;
+      return folding->folded({box.high.u, v}).place.u - folding->folded({box.low.u, v}).place.u;
+    };
+    const double folds = std::string(kind) == "knife" ? 3 : 6;
+    EXPECT_NEAR(wide(0), 0.36, 1e-4) << kind;
+    EXPECT_NEAR(wide(0.09), 0.36 + folds * 0.012 * 0.75, 1e-4) << kind;
+    EXPECT_NEAR(wide(0.30), 0.36 + folds * 0.012, 1e-4) << kind;
+  }
 }
 
 }  // namespace

@@ -136,9 +136,13 @@ struct PaperPleat {
 };
 std::vector<PaperPleat> pleatsOf(const Pattern& pattern);
 
-// Where places of a pleated piece lie when its paper is folded flat. Nothing where it has no pleats, or they do not all
-// run straight, alongside each other and equally deep.
-std::optional<std::function<FoldedPlace(Flat)>> foldingOf(const Pattern& pattern, PieceId piece);
+// Where places of a pleated piece lie when its paper is folded flat.
+struct PaperFolding {
+  std::function<FoldedPlace(Flat)> folded;
+  bool together = false;  // layers that are sewn to each other lie together there, no higher at a fold than beside it
+};
+// Nothing where it has no pleats, or they do not all run alongside each other, equally deep at every height.
+std::optional<PaperFolding> foldingOf(const Pattern& pattern, PieceId piece);
 
 // The internal lines of a piece that are edges of its lattice: those a seam holds, and those along which a pleat is
 // folded or cloth is turned over.

@@ -43,4 +43,24 @@ Result<std::shared_ptr<const Form>> liftedForm(const Piece& piece, const Piece& 
   return std::shared_ptr<const Form>(std::move(form));
 }
 
+Result<std::set<std::pair<double, double>>> nodesOfSewnLayers(const Piece& piece, double spacing,
+                                                              const std::vector<const Seam*>& seams) {
+  constexpr double kAtEnd = 1e-6;  // of an edge
+  const auto laid = layAlone(piece, spacing);
+  if (!laid) return laid.error();
+  std::set<std::pair<double, double>> nodes;
+  std::vector<EdgeSpan> sewn;
+  for (const Seam* seam : seams)
+    if (seam->tie == Seam::Tie::Pleat)
+      for (const auto* side : {&seam->a, &seam->b}) sewn.insert(sewn.end(), side->begin(), side->end());
+  for (const EdgeSpan& span : sewn)
+    if (const auto edge = (*laid)->edges.find(span.edge); span.piece == piece.id && edge != (*laid)->edges.end())
+      for (std::size_t k = 0; k < edge->second.nodes.size(); ++k) {
+        const Flat at = (*laid)->nodes[edge->second.nodes[k]];
+        const double fraction = edge->second.fraction[k];
+        if (fraction > span.from - kAtEnd && fraction < span.to + kAtEnd) nodes.insert({at.u, at.v});
+      }
+  return nodes;
+}
+
 }  // namespace karinui

@@ -342,12 +342,14 @@ void standAsTube(const WishedPlace& wish, Form& form) {
 }
 
 // Pleated paper stands as it lies folded, its layers over each other.
-Done standFolded(const std::function<FoldedPlace(Flat)>& folding, const std::function<Done(Form&)>& stand, Form& form) {
+Done standFolded(const PaperFolding& folding, const std::set<std::pair<double, double>>& sewn,
+                 const std::function<Done(Form&)>& stand, Form& form) {
   constexpr double kAside = 1e-3;  // metres on the folded paper, by which its directions are found
   Form here, right, above;
   std::vector<double> lifted;
   for (const Flat place : form.flat) {
-    const FoldedPlace in = folding(place);
+    FoldedPlace in = folding.folded(place);
+    if (sewn.contains({place.u, place.v})) in = {in.place, 1};
     const Flat lies = in.place + in.clear;
     here.flat.push_back(lies), right.flat.push_back(lies + Flat{kAside, 0}),
         above.flat.push_back(lies + Flat{0, kAside});
@@ -369,10 +371,10 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
   if (!place) return place.error();
   const auto folding = op.folded == Choice::Yes ? foldingOf(document.pattern, piece.id) : std::nullopt;
   PlacePiece own = op;
-  if (folding && own.point) own.point = (*folding)(*own.point).place;
+  if (folding && own.point) own.point = folding->folded(*own.point).place;
   WishedPlace wish{piece, own, body};
   wish.paper = piece.outline.flattened(1e-3);
-  for (Flat& p : wish.paper) p = wish.lies(folding ? (*folding)(p).place : p);
+  for (Flat& p : wish.paper) p = wish.lies(folding ? folding->folded(p).place : p);
   const FlatBox& box = wish.box = boxOf(wish.paper);
 
   LimbFrame& limb = wish.limb;
@@ -406,7 +408,16 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
     }
     return {};
   };
-  if (Done done = folding ? standFolded(*folding, stand, *form) : stand(*form); !done) return done.error();
+  if (folding) {
+    std::vector<const Seam*> seams;
+    for (const auto& [id, seam] : document.pattern.seams) seams.push_back(&seam);
+    Result<std::set<std::pair<double, double>>> sewn = std::set<std::pair<double, double>>{};
+    if (folding->together) sewn = nodesOfSewnLayers(piece, document.settings.spacing, seams);
+    if (!sewn) return sewn.error();
+    if (Done done = standFolded(*folding, *sewn, stand, *form); !done) return done.error();
+  } else if (Done done = stand(*form); !done) {
+    return done.error();
+  }
   piece.pose = Rigid();
   piece.form = std::move(form);
   return piece;

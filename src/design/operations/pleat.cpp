@@ -213,7 +213,9 @@ class Pleating {
     if (!all_.last || (!old.form && old.pose == Rigid())) return {};
     Piece now = *after_.find(old.id);
     const auto whole = wholeOf(old);
-    const auto edge = sewnNodes(now);
+    std::vector<const Seam*> sewn;
+    for (std::uint32_t k = 0; k < seams_; ++k) sewn.push_back(&after_.pattern.seams.at(mint<SeamId>(before_, k)));
+    const auto edge = nodesOfSewnLayers(now, before_.settings.spacing, sewn);
     if (!edge) return edge.error();
     auto form = liftedForm(now, old, before_.settings.spacing, [&](Flat place) {
       const FoldedPlace in = folded(place);
@@ -235,25 +237,6 @@ class Pleating {
       in = {further.place, in.lifted + further.lifted, in.clear + further.clear};
     }
     return in;
-  }
-
-  // The nodes of a piece at which its layers are sewn to each other.
-  Result<std::set<std::pair<double, double>>> sewnNodes(const Piece& piece) const {
-    const auto laid = layAlone(piece, before_.settings.spacing);
-    if (!laid) return laid.error();
-    std::set<std::pair<double, double>> nodes;
-    std::vector<EdgeSpan> sewn;
-    for (std::uint32_t k = 0; k < seams_; ++k)
-      if (const Seam& seam = after_.pattern.seams.at(mint<SeamId>(before_, k)); seam.tie == Seam::Tie::Pleat)
-        for (const auto* side : {&seam.a, &seam.b}) sewn.insert(sewn.end(), side->begin(), side->end());
-    for (const EdgeSpan& span : sewn)
-      if (const auto edge = (*laid)->edges.find(span.edge); span.piece == piece.id && edge != (*laid)->edges.end())
-        for (std::size_t k = 0; k < edge->second.nodes.size(); ++k) {
-          const Flat at = (*laid)->nodes[edge->second.nodes[k]];
-          const double fraction = edge->second.fraction[k];
-          if (fraction > span.from - kAtEnd && fraction < span.to + kAtEnd) nodes.insert({at.u, at.v});
-        }
-    return nodes;
   }
 
   // The paper of a drawn pleat stands with all its cloth: what is left of it is spread over the same room, which the
