@@ -133,7 +133,51 @@ TEST(SkirtBlock, MeetsTheBodiceAtTheWaist) {
   EXPECT_EQ(waist(drafted("block kind=bodice length=20cm\nblock kind=skirt")), alone);
   EXPECT_EQ(waist(drafted("block kind=bodice ease=40cm\nblock kind=skirt")), alone);
   EXPECT_THAT(refusedFor("block kind=skirt meets=yes"), testing::HasSubstr("no open waist"));
-  EXPECT_THAT(refusedFor("block kind=trousers meets=yes"), testing::HasSubstr("Only a skirt"));
+  EXPECT_THAT(refusedFor("block kind=sleeve meets=yes"), testing::HasSubstr("Only a skirt"));
+}
+
+// So is a jumpsuit: bodice and trousers are sewn in one line, each dart on its own. A record of before keeps the
+// trousers' own waist; leggings, of cloth that stretches, meet it where that is asked for.
+TEST(TrousersBlock, MeetTheBodiceAtTheWaist) {
+  const std::string sewn =
+      "sew a=\"front.hem* back.hem*\" b=\"leg_front_right.waist* leg_front_left.waist* leg_back_left.waist* "
+      "leg_back_right.waist*\" name=waist";
+  const auto waist = [](const Document& document, const std::string& name) {
+    double sum = 0;
+    for (const Edge& edge : document.pieceNamed(name)->outline.edges)
+      if (edge.name.starts_with("waist") || edge.name.starts_with("hem_") || edge.name == "hem")
+        if (edge.name.starts_with("waist") == name.starts_with("leg")) sum += edge.curve.length();
+    return sum;
+  };
+  for (const char* kind : {"trousers", "trousers length=40cm", "leggings meets=yes"}) {
+    const Document suit = drafted("block kind=bodice\nblock kind=" + std::string(kind) + "\n" + sewn);
+    for (const std::string part : {"front", "back"})
+      EXPECT_NEAR(2 * waist(suit, "leg_" + part + "_left"), waist(suit, part), 1e-3) << kind << part;
+    if (kind[0] != 't') continue;
+    for (const SeamTruing& seam : truing(suit.pattern, suit.eases).seams) EXPECT_TRUE(seam.fits()) << text(seam.seam);
+    // From the middle to the dart each is as long as the other.
+    for (const std::string part : {"front", "back"}) {
+      const auto& leg = suit.pieceNamed("leg_" + part + "_left")->outline.edges;
+      const auto crotch = std::find_if(leg.begin(), leg.end(), [](const Edge& edge) { return edge.name == "crotch"; });
+      const Edge& beside = part == "front" ? *(crotch - 1) : *(crotch + 1);
+      const auto& edges = suit.pieceNamed(part)->outline.edges;
+      const auto hem = std::find_if(edges.begin(), edges.end(), [](const Edge& edge) {
+        return edge.name.starts_with("hem") &&
+               std::fmin(std::fabs(edge.curve.start.u), std::fabs(edge.curve.end.u)) < 1e-6;
+      });
+      ASSERT_NE(hem, edges.end()) << part;
+      EXPECT_TRUE(beside.name.starts_with("waist")) << beside.name;
+      EXPECT_NEAR(beside.curve.length(), hem->curve.length(), 1e-3) << kind << part;
+    }
+  }
+  const double alone = waist(drafted("block kind=trousers"), "leg_front_left");
+  EXPECT_EQ(waist(drafted("block kind=bodice\nblock kind=trousers meets=no"), "leg_front_left"), alone);
+  EXPECT_EQ(
+      waist(drafted("block kind=bodice trued=yes\nblock kind=trousers trued=yes worn=holds belly=yes legs=yes", true),
+            "leg_front_left"),
+      alone);
+  const double stretched = waist(drafted("block kind=leggings"), "leg_front_left");
+  EXPECT_EQ(waist(drafted("block kind=bodice\nblock kind=leggings"), "leg_front_left"), stretched);
 }
 
 }  // namespace

@@ -88,8 +88,8 @@ struct BlockWish {
   bool armhole = false;                       // upper pieces have an armhole that an arm has room in
   std::optional<double> knee = {}, hem = {};  // of trousers: round a leg
   bool legs = false;                          // and these are wider or narrower as the hip is by its ease
-  // Of a skirt: the waist it is sewn to, for one side of front and back, from the centre to the dart and from there to
-  // the side; no dart: all of it as `centre`.
+  // Of lower pieces: the waist they are sewn to, for one side of front and back, from the centre to the dart and from
+  // there to the side; no dart: all of it as `centre`.
   struct Waist {
     double centre = 0;
     std::optional<double> side = {};

@@ -108,6 +108,24 @@ Curve through(const std::vector<Flat>& points) {
 
 }  // namespace
 
+namespace {
+
+// The dart of a quarter whose waist is drawn that long: how wide it is, and how far from the centre its middle lies, as
+// a share of that.
+struct WaistDart {
+  double width = 0, place = 0.5;
+};
+WaistDart waistDart(double drawn, double width, const BlockWish::Waist* meets) {
+  if (!meets) return {width, 0.5};
+  const double left = drawn - meets->whole();
+  return {left, meets->side ? (meets->centre + left / 2) / drawn : 0.5};
+}
+const BlockWish::Waist* waistOf(const BlockWish& wish, bool front) {
+  return !wish.meets ? nullptr : front ? &wish.meets->front : &wish.meets->back;
+}
+
+}  // namespace
+
 double skirtWaist(const Measured& of) { return of("waist_girth") + 0.02; }
 
 Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
@@ -128,7 +146,7 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
   Draft draft;
   for (const bool front : {true, false}) {
     const double wide = hip + (front ? worn.belly / 2 : 0);
-    const BlockWish::Waist* meets = !wish.meets ? nullptr : front ? &wish.meets->front : &wish.meets->back;
+    const BlockWish::Waist* meets = waistOf(wish, front);
     const Quarter q = quarterOf(meets ? meets->whole() : waist, wide, 0.03, worn.exact || meets);
     const double middle = front ? 0 : worn.raised;
     const Flat foot{wide + flare, -whole}, seat{wide, -deep}, top{q.waist, rise + worn.raised / 2};
@@ -148,9 +166,8 @@ Result<Draft> skirtDraft(const Measured& of, const BlockWish& wish) {
     piece.stands.at = at, piece.stands.ease = 0.012;
     draft.pieces.push_back(std::move(piece));
     if (q.dart < kLeastDart) continue;
-    const double drawn = half.back().curve.length(), share = front ? kFrontDart : 2 - kFrontDart;
-    const double width = meets ? drawn - meets->whole() : q.dart * share;
-    const double place = meets && meets->side ? (meets->centre + width / 2) / drawn : 0.5;  // from the centre
+    const auto [width, place] =
+        waistDart(half.back().curve.length(), q.dart * (front ? kFrontDart : 2 - kFrontDart), meets);
     // The waist runs from the side to the centre on the half at positive u.
     for (const bool left : {true, false})
       draft.darts.push_back({name,
@@ -195,7 +212,8 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
     const double room = front ? worn.belly / 2 : 0;  // half of it at the side, half at the centre
     // u = 0: the centre seam; the leg hangs at u > 0
     const double width = hip + more + room / 2, crease = (hip + more - fork) / 2;
-    const Quarter q = quarterOf(waist + more, hip + more + room, 0.02, worn.exact);
+    const BlockWish::Waist* meets = waistOf(wish, front);
+    const Quarter q = quarterOf(meets ? meets->whole() : waist + more, hip + more + room, 0.02, worn.exact || meets);
     const double high = 0.62 * seat;  // of the hip line, below the waist
     // The back is longer and leans.
     const double rise = front ? 0 : 0.025 + worn.raised, lean = (front ? 0.006 : 0.028) - room / 2;
@@ -234,8 +252,14 @@ Result<Draft> trousersDraft(const Measured& of, const BlockWish& wish) {
     // Wide legs stand farther apart, or they would stand through each other.
     const double besideMiddle = std::fmax(fork, -std::fmin(footIn.u, lowIn.u)) + 0.015;
     const std::string name = addLeg(draft, front, std::move(outline), besideMiddle);
-    if (q.dart >= kLeastDart)
-      draft.darts.push_back({name, "waist", 0.5, q.dart, {lean + 0.5 * q.waist, -(front ? 0.4 : 0.5) * high}, "dart"});
+    if (q.dart < kLeastDart) continue;
+    const auto dart = waistDart(distance(side, centre), q.dart, meets);
+    draft.darts.push_back({name,
+                           "waist",
+                           1 - dart.place,
+                           dart.width,
+                           {lean + dart.place * q.waist, -(front ? 0.4 : 0.5) * high},
+                           "dart"});
   }
   sewLegs(draft);
   return draft;
@@ -270,8 +294,10 @@ Result<Draft> leggingsDraft(const Measured& of, const BlockWish& wish) {
                  crease = (even - fork) / 2;
     const double rise = front ? 0 : 0.025 + worn.raised, lean = (front ? 0.004 : 0.02) - room / 2;
     const auto half = [&](double round) { return round / 4 + to * 0.004; };
-    const Flat centre{lean, rise}, side{lean + waist + to * 0.004, 0.006 + worn.raised / 2}, hipSide{width, -high},
-        tip{-fork, -seat};
+    const double sideHigh = 0.006 + worn.raised / 2, whole = waistOf(wish, front) ? waistOf(wish, front)->whole() : 0;
+    const double wide =
+        whole > 0 ? std::sqrt(whole * whole - (rise - sideHigh) * (rise - sideHigh)) : waist + to * 0.004;
+    const Flat centre{lean, rise}, side{lean + wide, sideHigh}, hipSide{width, -high}, tip{-fork, -seat};
     // How far from the crease the leg ends, at `down` below the waist: straight from girth to girth.
     const std::vector<Flat> girths{
         {(even + fork) / 2, seat}, {half(knee), kneeDown}, {half(calf), calfDown}, {half(ankle), ankleDown}};

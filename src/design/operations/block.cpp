@@ -366,17 +366,23 @@ Done resolve(const Document& before, DraftBlock& op, Context& context) {
   const bool sleeves = op.kind == Kind::Sleeve || op.kind == Kind::Shirt;
   if (op.taper == Choice::Yes && !sleeves) return refused(say("Only sleeves stand tapered; leave taper= away."));
   if (op.taper == Choice::Auto && !context.recorded && sleeves) op.taper = Choice::Yes;
-  if (op.meets == Choice::Yes && op.kind != Kind::Skirt)
-    return refused(say("Only a skirt meets a bodice at the waist; leave meets= away."));
-  if (op.kind == Kind::Skirt && !context.recorded && op.meets != Choice::No) {
+  if (op.meets == Choice::Yes && !lower)
+    return refused(say("Only a skirt, trousers and leggings meet a bodice at the waist; leave meets= away."));
+  // Leggings, which are narrower than the body, only where that is asked for.
+  const bool asked = op.kind != Kind::Leggings || op.meets == Choice::Yes;
+  if (lower && asked && !context.recorded && op.meets != Choice::No) {
     const auto waists = openWaists(before, **body);
     if (op.meets == Choice::Yes && !waists)
       return refused(
-          say("There is no open waist that a skirt could meet; one is edges called hem or waist of a front "
+          say("There is no open waist that it could meet; one is edges called hem or waist of a front "
               "and a back, at the height of the waist."));
     if (op.meets == Choice::Auto) {
       const bool held = op.worn == DraftBlock::Worn::Waist || op.worn == DraftBlock::Worn::Holds;
       op.meets = waists && held && isNearWaist(*waists, Measured(**body)) ? Choice::Yes : Choice::Auto;
+      if (op.meets == Choice::Yes && op.kind == Kind::Trousers && context.advise)
+        context.advise(
+            {say("The trousers are as long at the waist as what is there above it, to be sewn to that; trousers "
+                 "that are worn by themselves: meets=no.")});
     }
   }
   if (!op.fabric.empty()) return checkFabricName(before, op.fabric);

@@ -144,10 +144,12 @@ struct DraftBlock {
           "knee and hem of trousers are wider or narrower as the hip is by its ease: auto, yes, no (auto: yes, but no "
           "in a record that does not have it)",
           kOptional);
-    visit("meets", self.meets,
-          "the waist of a skirt is as long as the open waist of a bodice that is there, and its darts go on in the "
-          "bodice's: auto, yes, no (auto: yes where a bodice fits, but no in a record that does not have it)",
-          kOptional);
+    visit(
+        "meets", self.meets,
+        "the waist of a skirt, trousers or leggings is as long as the open waist of a bodice that is there, and its "
+        "darts go on in the bodice's: auto, yes, no (auto: for a skirt and trousers yes where a bodice fits, but no in "
+        "a record that does not have it)",
+        kOptional);
     visit("taper", self.taper,
           "sleeves stand before they are sewn up as tubes that narrow with the arm and follow its bend: auto, yes, no "
           "(auto: yes, but no in a record that does not have it)",
