@@ -81,5 +81,39 @@ TEST(Fly, HasItsPaper) {
   EXPECT_EQ(sewn.b.back().piece, banded.pieceNamed("leg_front_left")->id);
 }
 
+// A band over an opening ends there, without a lap, too: over a fly as over a zip. In a record of before its ends are
+// sewn to each other, as they are along a ring that opens nowhere.
+TEST(Fly, OpensTheWaistband) {
+  const std::string trousers = std::string(kTrousers) + "fly a=leg_front_left.crotch b=leg_front_right.crotch\n",
+                    closed = kTrousers,
+                    skirt =
+                        "body size=eu38\nblock kind=skirt\nfasten kind=zip a=skirt_front.side_left "
+                        "b=skirt_back.side_left length=18cm\n",
+                    legs =
+                        "band name=waistband depth=4cm sew=yes of=\"leg_back_left.waist* leg_front_left.waist* "
+                        "leg_front_right.waist* leg_back_right.waist*\"",
+                    hips = "band name=waistband depth=4cm sew=yes of=\"skirt_front.waist* skirt_back.waist*\"";
+  const auto endsSewn = [](const std::string& script, const std::string& band, bool recorded = false) {
+    Workroom room;
+    DocumentFile file = DocumentFile::inMemory();
+    const Done begun = room.play(file, script);
+    EXPECT_TRUE(begun) << text(begun.error().what);
+    room.context.recorded = recorded;
+    const auto after = apply(file.document(), op(band), room.context);
+    EXPECT_TRUE(after) << text(after.error().what);
+    const PieceId id = after->pieceNamed("waistband")->id;
+    return std::any_of(after->pattern.seams.begin(), after->pattern.seams.end(), [&](const auto& seam) {
+      return seam.second.a.front() == EdgeSpan{id, "end_left", 0, 1} &&
+             seam.second.b.front() == EdgeSpan{id, "end_right", 0, 1};
+    });
+  };
+  EXPECT_FALSE(endsSewn(trousers, legs));
+  EXPECT_FALSE(endsSewn(skirt, hips));
+  EXPECT_TRUE(endsSewn(trousers, legs + " joined=yes"));
+  EXPECT_TRUE(endsSewn(skirt, hips, true));
+  EXPECT_TRUE(endsSewn(closed, legs));
+  EXPECT_FALSE(endsSewn(closed, legs + " joined=no"));
+}
+
 }  // namespace
 }  // namespace karinui

@@ -118,6 +118,7 @@ TermTable fieldTerms() {
       {"worn", say("Upper edge worn")},
       {"armhole", say("Room for the arm")},
       {"beside", say("Edges beside the ends that move")},
+      {"joined", say("Ends sewn to each other")},
       {"knee", say("Width round the knee")},
       {"hem", say("Width round the hem")},
       {"legs", say("Ease goes down the legs")},

@@ -37,23 +37,28 @@ Vec3 endOf(const Document& document, const EdgeRef& ref, bool last) {
   return Stand(*document.find(ref.piece.id))(curve.atFraction(last ? ref.to : ref.from));
 }
 
+// Whether the edges beside the end of `ref` and the beginning of `next` are joined by one of these seams or fastenings.
+template <class Joins>
+bool joinedBeside(const Joins& joins, const Document& document, const EdgeRef& ref, const EdgeRef& next) {
+  const std::string &after = edgeAt(document, ref, 1).name, &before = edgeAt(document, next, -1).name;
+  const auto holds = [](const std::vector<EdgeSpan>& side, PieceId piece, const std::string& edge) {
+    return std::any_of(side.begin(), side.end(),
+                       [&](const EdgeSpan& span) { return span.piece == piece && span.edge == edge; });
+  };
+  return std::any_of(joins.begin(), joins.end(), [&](const auto& one) {
+    const auto& join = one.second;
+    return (holds(join.a, ref.piece.id, after) && holds(join.b, next.piece.id, before)) ||
+           (holds(join.b, ref.piece.id, after) && holds(join.a, next.piece.id, before));
+  });
+}
+
 // Whether `next` goes on where `ref` ends: on the same outline, across a seam that begins there, or by lying there.
 bool follows(const Document& document, const EdgeRef& ref, const EdgeRef& next) {
   const bool whole = ref.to == 1 && next.from == 0;
   if (ref.piece == next.piece && ref.edge == next.edge && ref.to == next.from) return true;
   if (ref.piece == next.piece && whole && edgeAt(document, ref, 1).name == next.edge) return true;
   if (distance(endOf(document, ref, true), endOf(document, next, false)) < kMeet) return true;
-  if (!whole) return false;
-  const std::string &after = edgeAt(document, ref, 1).name, &before = edgeAt(document, next, -1).name;
-  const auto holds = [](const std::vector<EdgeSpan>& side, PieceId piece, const std::string& edge) {
-    return std::any_of(side.begin(), side.end(),
-                       [&](const EdgeSpan& span) { return span.piece == piece && span.edge == edge; });
-  };
-  return std::any_of(document.pattern.seams.begin(), document.pattern.seams.end(), [&](const auto& one) {
-    const Seam& seam = one.second;
-    return (holds(seam.a, ref.piece.id, after) && holds(seam.b, next.piece.id, before)) ||
-           (holds(seam.b, ref.piece.id, after) && holds(seam.a, next.piece.id, before));
-  });
+  return whole && joinedBeside(document.pattern.seams, document, ref, next);
 }
 
 std::size_t links(const Document& document, const std::vector<EdgeRef>& run) {
@@ -273,6 +278,15 @@ std::vector<EdgeRef> fromOpening(const Document& document, std::vector<EdgeRef> 
     break;
   }
   return run;
+}
+
+bool opensBetween(const Document& document, const EdgeRef& ref, const EdgeRef& next) {
+  return !goesOnSewn(document, ref, next) && (joinedBeside(document.pattern.seams, document, ref, next) ||
+                                              joinedBeside(document.allowances.fastenings, document, ref, next));
+}
+
+bool closesRing(const Document& document, const std::vector<EdgeRef>& run) {
+  return follows(document, run.back(), run.front());
 }
 
 std::optional<std::vector<EdgeRef>> asOneRun(const Document& document, const std::vector<EdgeRef>& edges) {

@@ -54,9 +54,22 @@ Done resolve(const Document& before, DrawBand& op, Context& context) {
   if (!op.wrap.empty() && op.wrap != op.edges[1] && op.wrap != op.edges[3])
     return refused(
         say("One end of “{0}” lies on top, {1} or {2}; “{3}” is neither.", op.name, op.edges[1], op.edges[3], op.wrap));
+  const bool ring = op.sew && op.extra <= 1e-3 && op.wrap.empty() && closesRing(before, op.of);
+  if (op.joined == Choice::Yes && !ring)
+    return refused(
+        say("Only a band that is sewn along edges that close a ring, without a lap, has its ends sewn to each other; "
+            "leave joined= away."));
   if (!op.sew) return {};
   // A ring that opens somewhere, as at a fly, is begun there, wherever it is named from.
   if (!context.recorded && goesOnSewn(before, op.of.back(), op.of.front())) op.of = fromOpening(before, op.of);
+  if (op.joined == Choice::Auto && !context.recorded && ring && opensBetween(before, op.of.back(), op.of.front())) {
+    op.joined = Choice::No;
+    if (context.advise)
+      context.advise(
+          {say("The ends of “{0}” stay open, as the garment does between {1} and {2}: fasten them, or leave it "
+               "a lap, extra=3cm; joined=yes sews them to each other.",
+               op.name, spoken(before, op.of.back()), spoken(before, op.of.front()))});
+  }
   if (Done done = decideRound(before, op.of, op.round, context); !done) return done;
   for (const EdgeRef& edge : op.of)
     for (const SeamId id : seamsOn(before, {edge}))
@@ -103,7 +116,7 @@ Result<Document> perform(const Document& before, const DrawBand& op, Context& co
   if (op.ratio < 0.7 || op.ratio > 1.4) seam.tie = Seam::Tie::TwoToOne;
   after.pattern.seams[seam.id] = seam;
   if (op.eased == Choice::Yes && op.ratio != 1) after.eases[seam.id] = std::abs(op.ratio - 1) * lengthOf(before, op.of);
-  const bool closed = run.closed && op.extra <= 1e-3 && op.wrap.empty();
+  const bool closed = run.closed && op.extra <= 1e-3 && op.wrap.empty() && op.joined != Choice::No;
   tellShut(before, op, closed, context);
   if (!closed) return after;
   Seam ends;

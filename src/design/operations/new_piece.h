@@ -39,6 +39,11 @@ struct SpaceRun {
 std::optional<std::vector<EdgeRef>> asOneRun(const Document& document, const std::vector<EdgeRef>& edges);
 // A run that closes a ring, begun behind the first place that nothing holds together; as it is where there is none.
 std::vector<EdgeRef> fromOpening(const Document& document, std::vector<EdgeRef> run);
+// Whether the garment opens between the end of an edge and the beginning of the next: what lies beside both is
+// fastened, or sewn from farther on only.
+bool opensBetween(const Document& document, const EdgeRef& ref, const EdgeRef& next);
+// Whether a run closes a ring.
+bool closesRing(const Document& document, const std::vector<EdgeRef>& run);
 // Puts a run in the outlines' own order; refuses edges that do not follow each other.
 Done orderRun(const Document& before, std::vector<EdgeRef>& run);
 SpaceRun runOf(const Document& document, const std::vector<EdgeRef>& run);

@@ -105,6 +105,7 @@ struct DrawBand {
   Choice clear = Choice::Auto;
   std::optional<BodyPoint> round;
   std::string wrap;
+  Choice joined = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("name", self.name, "the new piece's name", kNeeded);
@@ -123,6 +124,10 @@ struct DrawBand {
           "the difference that ratio= makes is meant, as ease declares it: auto, yes, no (auto: yes)", kOptional);
     visit("edges", self.edges, "names of its edges: low end_left top end_right; the first is sewn", kOptional);
     visit("wrap", self.wrap, kWrapHelp, kOptional);
+    visit("joined", self.joined,
+          "along edges that close a ring its ends are sewn to each other: auto, yes, no (auto: no where the garment "
+          "opens there, as at a zip or a fly; but yes in a record that does not have it)",
+          kOptional);
     visitCloth(self, visit);
   }
   bool operator==(const DrawBand&) const = default;
