@@ -527,7 +527,7 @@ TEST_F(Placed, WhatMeetsRaisedArmsIsToldWhatHelps) {
   const std::string raised = said("pose name=T\n");
   EXPECT_NE(raised.find("stands through the body"), std::string::npos) << raised;
   EXPECT_EQ(raised.find("raise the arms first"), std::string::npos) << raised;
-  EXPECT_NE(raised.find("before or behind the body (move)"), std::string::npos) << raised;
+  EXPECT_NE(raised.find("before or behind the body: flat=yes"), std::string::npos) << raised;
 }
 
 TEST_F(Placed, ByAPlaceOfItsOwnPaper) {

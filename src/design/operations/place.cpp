@@ -138,12 +138,12 @@ void tellThroughBody(const Piece& piece, const Body& body, const BodyPose& pose,
   if (armsRaised(pose))
     context.advise(
         {say("“{0}” stands through the body, about {1} cm above the floor. The arms are raised already, and what goes "
-             "round the trunk meets them: place it lower, or stand it flat before or behind the body (move).",
+             "round the trunk meets them: place it lower, or stand it flat before or behind the body: flat=yes.",
              piece.name, std::round(where.y * 100))});
   else
     context.advise(
         {say("“{0}” stands through the body, about {1} cm above the floor. Place it elsewhere, stand it flat "
-             "beside the body (pose), or raise the arms first: pose name=T.",
+             "before or behind the body, flat=yes, or raise the arms first: pose name=T.",
              piece.name, std::round(where.y * 100))});
 }
 
@@ -227,6 +227,9 @@ Done resolve(const Document& before, PlacePiece& op, Context& context) {
     op.folded = Choice::Yes;
   if (op.arc > 0 && !op.wrap.empty())
     return refused(say("What goes round more than once takes all of the way round; leave arc= away."));
+  if (op.flat && (op.taper || !op.wrap.empty() || op.arc > 0 || op.cone == Choice::Yes))
+    return refused(say("What stands flat goes round nothing; leave cone=, taper=, wrap= and arc= away."));
+  if (op.flat) op.cone = Choice::No;
   const bool plain = !op.taper && op.wrap.empty() && op.arc == 0;
   const bool wound = !op.wrap.empty() && !op.taper && !context.recorded;  // recorded, it stands as it did
   if (op.cone == Choice::Auto) op.cone = ring && (plain || wound) ? Choice::Yes : Choice::No;
@@ -341,6 +344,23 @@ void standAsTube(const WishedPlace& wish, Form& form) {
   }
 }
 
+// Upright before the place, or as steep as the limb, and clear of what stands out there.
+void standFlat(const WishedPlace& wish, Form& form) {
+  constexpr double kBesideIt = 0.02;  // metres from its outline
+  double off = 0;
+  for (const Vec3 p : wish.body.mesh().points) {
+    const Vec3 d = p - wish.limb.origin;
+    const Flat at{dot(d, wish.limb.right), dot(d, wish.limb.up)};
+    if (dot(d, wish.limb.out) > off && (contains(wish.paper, at) || distanceToRing(wish.paper, at) < kBesideIt))
+      off = dot(d, wish.limb.out);
+  }
+  off += *wish.op.ease;
+  for (const Flat p : form.flat) {
+    const Flat d = wish.lies(p);
+    form.space.push_back(wish.limb.inSpace({d.u, -off}, d.v));
+  }
+}
+
 // Pleated paper stands as it lies folded, its layers over each other.
 Done standFolded(const PaperFolding& folding, const std::set<std::pair<double, double>>& sewn,
                  const std::function<Done(Form&)>& stand, Form& form) {
@@ -382,7 +402,10 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
   const BodyPoint::Part part = isLimb(op.at.part) ? op.at.part : body.describe(*place).part;
   const std::vector<LimbRing> rings = isLimb(part) ? ringsOf(body, part) : std::vector<LimbRing>();
   limb.up = rings.empty() ? Vec3{0, 1, 0} : axisOver(rings, limb.origin, box.low.v, box.high.v);
-  const Vec3 normal = faceNormal(body.mesh(), place->face);
+  // What is flat looks straight ahead, or as far round as its place is; what is bent lies along the skin.
+  const double round = 2 * std::numbers::pi * op.at.around;
+  const Vec3 normal = op.flat && part == BodyPoint::Part::Torso ? Vec3{std::sin(round), 0, std::cos(round)}
+                                                                : faceNormal(body.mesh(), place->face);
   limb.out = normalized(normal - limb.up * dot(normal, limb.up));
   if (!(length(limb.out) > 0.5)) return unwrappable(op.at);
   limb.right = cross(limb.up, limb.out);
@@ -400,6 +423,10 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
   form->faces = (*lattice)->faces;
   const auto stand = [&](Form& one) -> Done {
     if (op.cone == Choice::Yes) return standAsCone(wish, *sectorOf(piece), one);
+    if (op.flat) {
+      standFlat(wish, one);
+      return {};
+    }
     if (op.taper) {
       const TaperedTube tube(wish.paper, wish.skin, *op.ease);
       for (const Flat p : one.flat) one.space.push_back(tube.place(wish.lies(p), limb));

@@ -46,6 +46,7 @@ struct PlacePiece {
   std::string wrap;
   double arc = 0;
   Choice folded = Choice::Auto;
+  bool flat = false;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to place", kNeeded);
@@ -68,6 +69,10 @@ struct PlacePiece {
     visit("folded", self.folded,
           "its pleats stay folded: auto, yes, no (auto: if it has any that run alongside each other, but no in a "
           "record that does not have it)",
+          kOptional);
+    visit("flat", self.flat,
+          "yes: flat before the body there, or behind it, clear of all of it, as a front that is cut in one with its "
+          "sleeves",
           kOptional);
   }
   bool operator==(const PlacePiece&) const = default;
