@@ -217,6 +217,22 @@ TEST_F(Sewing, AScriptIsAdvised) {
   EXPECT_THAT(advice, ElementsAre("front.shoulder_right and back.shoulder_left lie on opposite sides of the body."));
 }
 
+// Where both halves were sewn crosswise at once one step mends both.
+TEST_F(Sewing, CrossedHalvesAreMendedTogether) {
+  play(kAcross);
+  std::optional<Operation> mend;
+  Context own = room().context;
+  own.advise = [&](const Advice& said) { mend = said.mend; };
+  ASSERT_TRUE(file.perform(*parseOperation("sew a=front.shoulder_right b=back.shoulder_left mirror=yes"), own));
+  ASSERT_TRUE(mend);
+  const auto mended = file.perform(*mend, room().context);
+  ASSERT_TRUE(mended) << text(mended.error().what);
+  int alike = 0;
+  for (const auto& [id, seam] : document().pattern.seams) alike += seam.a.front().edge == seam.b.front().edge;
+  EXPECT_EQ(document().pattern.seams.size(), 2u);
+  EXPECT_EQ(alike, 2);
+}
+
 // A strap may be sewn to an edge before it is bound or turned up as well as after; what is sewn all along is not free.
 TEST(Finishing, IsOfAnEdgeThatHoldsAStrap) {
   const std::string top =

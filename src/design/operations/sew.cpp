@@ -208,7 +208,9 @@ Result<Document> perform(const Document& given, const SewEdges& op, Context& con
   if (context.advise)
     for (const SeamDoubt& doubt : seamDoubts(before, op, context.bodies.known(before.body.hash).get())) {
       Advice advice{doubt.what};
-      if (doubt.instead && !op.mirror && doubt.kind != SeamDoubt::Kind::Sewn)
+      // Sewn to the other side, edge and image are those of each other: what is in the way of one is so of both.
+      const bool both = doubt.kind == SeamDoubt::Kind::OtherSide;
+      if (doubt.instead && (!op.mirror || both) && doubt.kind != SeamDoubt::Kind::Sewn)
         advice.mend = sewnInstead(before, *doubt.instead);
       context.advise(advice);
     }
