@@ -380,7 +380,32 @@ std::vector<EdgeRef> trimmed(const Document& document, const std::vector<EdgeRef
   return kept;
 }
 
-std::optional<EdgeRef> mirrorImage(const Document& document, const EdgeRef& part) {
+namespace {
+
+// The part of the same edge that stands over against it, on the body's other side.
+std::optional<EdgeRef> overAgainst(const Document& document, const EdgeRef& part) {
+  constexpr double kThere = 0.03;  // metres
+  constexpr int kTried = 2000;
+  const Piece& piece = *document.find(part.piece.id);
+  const double half = (part.to - part.from) / 2;
+  if (unplaced(piece) || half > 0.25) return std::nullopt;
+  const Curve& curve = findEdge(piece, part.edge)->curve;
+  const Stand stand(piece);
+  const Vec3 wanted = across(middleOf(document, part));
+  double nearest = kThere;
+  std::optional<EdgeRef> found;
+  for (int k = 0; k <= kTried; ++k) {
+    const double at = std::round(std::lerp(half, 1 - half, k / double{kTried}) * 1e5) / 1e5;  // to be read in a record
+    const double away = distance(stand(curve.atFraction(at)), wanted);
+    if (away < nearest) nearest = away, found = EdgeRef{part.piece, part.edge, at - half, at + half};
+  }
+  if (found && (overlap(*found, part) || found->from < 0 || found->to > 1)) return std::nullopt;
+  return found;
+}
+
+}  // namespace
+
+std::optional<EdgeRef> mirrorImage(const Document& document, const EdgeRef& part, bool rings) {
   constexpr double kCentre = 0.05;  // metres a piece across the centre may stand beside it
   const Piece& piece = *document.find(part.piece.id);
   const auto edge = piece.outline.find(part.edge);
@@ -408,16 +433,16 @@ std::optional<EdgeRef> mirrorImage(const Document& document, const EdgeRef& part
   for (const auto& [id, other] : document.pattern.pieces)
     if (id != piece.id)
       if (const Edge* image = mirrorEdge(piece, *other, *edge)) offer(on(*other, image->name), 2 * kCentre);
-  return best;
+  return !best && rings ? overAgainst(document, part) : best;
 }
 
-Result<SewEdges> mirrorImage(const Document& document, const SewEdges& sew) {
+Result<SewEdges> mirrorImage(const Document& document, const SewEdges& sew, bool rings) {
   SewEdges image = sew;
   image.mirror = image.replace = false;
   for (const auto& [from, to] : {std::pair{&sew.a, &image.a}, std::pair{&sew.b, &image.b}}) {
     to->clear();
     for (auto ref = from->rbegin(); ref != from->rend(); ++ref) {
-      auto found = mirrorImage(document, *ref);
+      auto found = mirrorImage(document, *ref, rings);
       if (!found) return refused(say("{0} has no mirror image; leave mirror= away.", spoken(document, *ref)));
       to->push_back(*std::move(found));
     }

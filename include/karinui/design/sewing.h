@@ -27,10 +27,11 @@ std::vector<EdgeRef> trimmed(const Document& document, const std::vector<EdgeRef
 // The same part of an edge on the garment's other half: on the symmetric copy of its piece, on the other half of a
 // piece that is symmetric by itself and stands across the body's centre (or nowhere yet), or on a piece of mirrored
 // outline that stands on the body's other side. An edge across the centre is its own image. Nothing: it has none.
-std::optional<EdgeRef> mirrorImage(const Document& document, const EdgeRef& part);
+// `rings`: otherwise what lies over against it on the same edge, as of a waistband that is sewn up at a side.
+std::optional<EdgeRef> mirrorImage(const Document& document, const EdgeRef& part, bool rings = false);
 // The mirror image of a seam, named for the other side. Refused where a side has none, where the seam is its own image,
 // and where the image is sewn already.
-Result<SewEdges> mirrorImage(const Document& document, const SewEdges& sew);
+Result<SewEdges> mirrorImage(const Document& document, const SewEdges& sew, bool rings = true);
 
 // How many times as long as the other side of a seam a side of this fabric may usually be: sheers 3 to 4 times,
 // shirtings 2 to 3, coatings half as long again (the fullness ratios of dressmaking).

@@ -208,11 +208,11 @@ std::string nameOfImage(const Document& document, const std::string& name) {
 }
 
 // Of edges that are sewn to edges.
-std::optional<Seam> onEdges(const Document& document, const Seam& own) {
+std::optional<Seam> onEdges(const Document& document, const Seam& own, bool rings) {
   SewEdges sew;
   for (const auto& [from, to] : {std::pair{&own.a, &sew.a}, std::pair{&own.b, &sew.b}})
     for (const EdgeSpan& span : *from) to->push_back({PieceRef(span.piece), span.edge, span.from, span.to});
-  const auto image = mirrorImage(document, sew);
+  const auto image = mirrorImage(document, sew, rings);
   if (!image) return std::nullopt;
   Seam seam = own;
   seam.a = spansOf(image->a), seam.b = spansOf(image->b);
@@ -263,7 +263,7 @@ std::optional<Seam> onLines(Document& document, const Seam& own, PieceId piece, 
 }  // namespace
 
 MirroredSeams withMirroredSeams(Document document, const std::vector<PieceRef>& pieces, const CopiesOf& copies,
-                                std::size_t made) {
+                                std::size_t made, bool rings) {
   const Document before = document;
   MirroredSeams all{std::move(document), 0, {}};
   const auto lined = [&](const std::vector<EdgeSpan>& side) {
@@ -278,7 +278,7 @@ MirroredSeams withMirroredSeams(Document document, const std::vector<PieceRef>& 
       if (seam || (!holds(own.a, piece.id) && !holds(own.b, piece.id))) continue;
       if (!on) on = piece.id;
       seam = lined(own.a) || lined(own.b) ? onLines(all.document, own, piece.id, copies.at(piece.id))
-                                          : onEdges(all.document, own);
+                                          : onEdges(all.document, own, rings);
     }
     if (!on) continue;
     if (!seam) {

@@ -31,9 +31,9 @@ struct MirroredSeams {
   std::size_t sewn = 0;
   std::vector<std::pair<SeamId, PieceId>> left;  // and the piece it is on
 };
-// `made`: seams that the operation has made before.
+// `made`: seams that the operation has made before. `rings`: as of mirrorImage().
 MirroredSeams withMirroredSeams(Document document, const std::vector<PieceRef>& pieces, const CopiesOf& copies,
-                                std::size_t made);
+                                std::size_t made, bool rings);
 
 // The same fastening between the symmetric copies of its pieces. Nothing where one has none that is a likeness, or
 // where the copies are the pieces themselves, as of two fronts that are buttoned to each other.

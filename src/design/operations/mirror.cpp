@@ -2,12 +2,36 @@
 
 #include "design/operations/copied_joins.h"
 #include "design/spoken.h"
+#include "karinui/design/sewing.h"
 
 namespace karinui {
+
+namespace {
+
+// Whether one of them is sewn to an edge that has another side only as a ring has.
+bool sewnToRings(const Document& document, const std::vector<PieceRef>& pieces) {
+  const auto mine = [&](const EdgeSpan& span) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const PieceRef& piece) { return piece.id == span.piece; });
+  };
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto& [own, other] : {std::pair{&seam.a, &seam.b}, std::pair{&seam.b, &seam.a}})
+      if (std::any_of(own->begin(), own->end(), mine))
+        for (const EdgeSpan& span : *other) {
+          const EdgeRef part{PieceRef(span.piece), span.edge, span.from, span.to};
+          if (!mine(span) && !mirrorImage(document, part) && mirrorImage(document, part, true)) return true;
+        }
+  return false;
+}
+
+}  // namespace
 
 Done resolve(const Document& before, MirrorPiece& op, Context& context) {
   if (Done done = resolve(before, op.pieces); !done) return done;
   decideSeamsWithin(before, op.pieces, op.seams, context);
+  if (op.rings == Choice::Yes && !op.sewn)
+    return refused(say("Only copies that are sewn as the pieces are have another side of a band: sewn=yes."));
+  if (op.rings == Choice::Auto && op.sewn && !context.recorded && sewnToRings(before, op.pieces))
+    op.rings = Choice::Yes;
   if (op.pieces.size() > 1) return checkNoNameOfSeveral(op.name);
   if (op.name.empty()) op.name = nameOfCopy(before, before.find(op.pieces.front().id)->name);
   return checkNewName(before, op.name);
@@ -18,7 +42,7 @@ namespace {
 // With what sews the copies to others, if it is to be; else it is told that there is such.
 Document sewnLikewise(Document document, const MirrorPiece& op, const CopiesOf& copies, const Context& context) {
   const std::size_t made = op.seams == Choice::Yes ? seamsWithin(document, op.pieces).size() : 0;
-  MirroredSeams likewise = withMirroredSeams(document, op.pieces, copies, made);
+  MirroredSeams likewise = withMirroredSeams(document, op.pieces, copies, made, op.rings == Choice::Yes);
   if (!op.sewn) {
     if (!context.advise || likewise.sewn == 0) return document;
     for (const PieceRef& piece : op.pieces) {

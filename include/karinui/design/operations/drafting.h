@@ -195,6 +195,7 @@ struct MirrorPiece {
   std::string name;
   Choice seams = Choice::Auto;
   bool sewn = false;
+  Choice rings = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.pieces, "the pieces to mirror", kNeeded);
@@ -205,6 +206,10 @@ struct MirrorPiece {
         "yes: also sewn as the pieces are to others, to their symmetric copies or other halves; lines they are sewn to "
         "are drawn there",
         kOptional);
+    visit("rings", self.rings,
+          "with sewn: also where the other side is that of the same edge, as on a waistband that is sewn up at a side: "
+          "auto, yes, no (auto: yes, but no in a record that does not have it)",
+          kOptional);
   }
   bool operator==(const MirrorPiece&) const = default;
 };
