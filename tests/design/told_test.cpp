@@ -148,5 +148,19 @@ TEST(Told, AnEdgeWithoutANameIsSaidWithWhatScriptsCallIt) {
   EXPECT_THAT(said("hem"), Not(HasSubstr("(")));
 }
 
+// A wrap skirt is tied at the side where it ends, not to the other one behind.
+TEST(Told, WhatIsFastenedThroughTheBodyIsTold) {
+  const auto told = [](const char* side) {
+    return toldOf(
+        std::string("body size=eu38\nblock kind=skirt\nunsew seam=skirt_side_left\nline piece=skirt_back along=\"") +
+        side + "21.5cm,0.5cm; " + side +
+        "21.8cm,-3cm\" name=tie\nfasten kind=tie a=skirt_front.side_left@0.94:1 b=skirt_back.tie count=1 "
+        "gap=1cm\n");
+  };
+  const auto through = HasSubstr("what fastens them would run through it");
+  EXPECT_THAT(told(""), Contains(through));
+  EXPECT_THAT(told("-"), Not(Contains(through)));
+}
+
 }  // namespace
 }  // namespace karinui

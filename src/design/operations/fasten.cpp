@@ -466,6 +466,32 @@ Done resolve(const Document& given, Fasten& op, Context& context) {
   return resolveCopies(before, own, op, context);
 }
 
+namespace {
+
+// What would be drawn together through the body, as a tie of the left front and what stands at the right behind.
+void tellDrawnThroughBody(const Document& document, const Fasten& op, const Fastening& own, const Context& context) {
+  constexpr double kDeep = 0.02, kFar = 0.25;  // metres
+  constexpr int kLooks = 16;
+  const BodyPtr body = context.advise ? context.bodies.known(document.body.hash) : nullptr;
+  if (!body) return;
+  const auto placed = [&](PieceId id) { return document.find(id)->form || document.find(id)->pose != Rigid(); };
+  std::size_t through = 0;
+  const auto places = placesOf(document.pattern, own);
+  for (const FastenedPlaces& at : places) {
+    if (!placed(at.a.piece) || !placed(at.b.piece)) return;
+    const Vec3 a = Stand(*document.find(at.a.piece))(at.a.place), b = Stand(*document.find(at.b.piece))(at.b.place);
+    bool deep = false;
+    if (distance(a, b) < kFar) continue;  // the ends of a collar close in front of the neck
+    for (int k = 1; k < kLooks; ++k) deep = deep || body->field().distance(lerp(a, b, k / double{kLooks})) < -kDeep;
+    through += deep;
+  }
+  if (2 * through <= places.size()) return;
+  context.advise({say("{0} and {1} lie on opposite sides of the body; what fastens them would run through it.",
+                      spoken(document, op.a.front()), spoken(document, op.b.front()))});
+}
+
+}  // namespace
+
 Result<Document> perform(const Document& before, const Fasten& op, Context& context) {
   Document after = withOneCurve(before, op.a, op.b);
   std::uint32_t minted = 0;
@@ -481,6 +507,7 @@ Result<Document> perform(const Document& before, const Fasten& op, Context& cont
     Fastening own = made(after, op);
     unpick(own);
     own.closed = own.kind == FasteningKind::Zip ? 0 : static_cast<int>(own.at.size());
+    tellDrawnThroughBody(after, op, own, context);
     if (const auto same = sameThere(all, own); same != all.end()) all.erase(same);
     if (own.kind == FasteningKind::Zip) tellShutAbove(after, own, context);
     all[op.name] = std::move(own);
