@@ -199,10 +199,16 @@ class Run {
     for (;;) {
       const auto there = longerWhenAlong(way * far);
       if (!there || far > kFarAlong || std::fabs(*there) < std::fabs(reached))
-        return refused(say(
-            "The ends cannot go so far along the edges beside them that the run becomes {0} mm longer: it becomes {1} "
-            "mm longer at most. Let those edges keep their lengths (beside=keep), or ask for less.",
-            millimetres(op_.by), millimetres(reached)));
+        return refused(
+            op_.by < 0
+                ? say("The ends cannot go so far along the edges beside them that the run becomes {0} mm shorter: it "
+                      "becomes {1} mm shorter at most. Let those edges keep their lengths (beside=keep), or ask for "
+                      "less.",
+                      millimetres(-op_.by), millimetres(std::fabs(reached)))
+                : say("The ends cannot go so far along the edges beside them that the run becomes {0} mm longer: it "
+                      "becomes {1} mm longer at most. Let those edges keep their lengths (beside=keep), or ask for "
+                      "less.",
+                      millimetres(op_.by), millimetres(reached)));
       reached = *there;
       if (std::fabs(reached) >= std::fabs(op_.by)) break;
       near = far, far *= 1.5;
