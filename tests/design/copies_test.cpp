@@ -429,7 +429,7 @@ TEST(Copies, OfPocketsAreSewnToLinesOfTheirOwn) {
       "rectangle name=pouch width=20cm height=12cm\npatch piece=pouch on=skirt at=2cm,20cm open=top\n");
   pair.advice.clear();
   ASSERT_EQ(pair.play("mirror piece=pouch sewn=yes\n"), "");
-  EXPECT_THAT(pair.advice, ::testing::ElementsAre(HasSubstr("is on the side of")));
+  EXPECT_THAT(pair.advice, ::testing::ElementsAre(HasSubstr("in the same place"), HasSubstr("is on the side of")));
   EXPECT_EQ(pair["skirt"].lines.size(), 3u);
 }
 

@@ -162,5 +162,13 @@ TEST(Told, WhatIsFastenedThroughTheBodyIsTold) {
   EXPECT_THAT(told("-"), Not(Contains(through)));
 }
 
+// What lies across the middle has no other side: its copy would lie in it.
+TEST(Told, ACopyThatStandsInItsPieceIsTold) {
+  const std::string skirt = "body size=eu38\nblock kind=skirt\n";
+  EXPECT_THAT(toldOf(skirt + "mirror piece=skirt_back\n"), Contains(HasSubstr("in the same place")));
+  EXPECT_THAT(toldOf(skirt + "rectangle name=pocket width=12cm height=12cm\nmirror piece=pocket\n"),
+              Not(Contains(HasSubstr("in the same place"))));
+}
+
 }  // namespace
 }  // namespace karinui

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 
 #include "design/operations/copied_joins.h"
 #include "design/spoken.h"
 #include "karinui/design/sewing.h"
+#include "karinui/pattern/symmetry.h"
 
 namespace karinui {
 
@@ -38,6 +40,17 @@ Done resolve(const Document& before, MirrorPiece& op, Context& context) {
 }
 
 namespace {
+
+// The copy of a back or a skirt's front, which lie across the middle, stands where it stands itself.
+void tellInItself(const Piece& piece, const Context& context) {
+  constexpr double kMiddle = 0.03;  // metres
+  const auto symmetry = context.advise && piece.form ? symmetryOf(piece.outline) : std::nullopt;
+  if (!symmetry || std::fabs(Stand(piece)(symmetry->through).x) > kMiddle) return;
+  context.advise({say("“{0}” lies on both sides of the body already, and its copy in the same place: take one of them "
+                      "away, or move it.",
+                      piece.name),
+                  piece.id});
+}
 
 // With what sews the copies to others, if it is to be; else it is told that there is such.
 Document sewnLikewise(Document document, const MirrorPiece& op, const CopiesOf& copies, const Context& context) {
@@ -77,6 +90,7 @@ Result<Document> perform(const Document& before, const MirrorPiece& op, Context&
   CopiesOf made;
   for (const PieceRef& piece : op.pieces) {
     const Piece& own = *before.find(piece.id);
+    tellInItself(own, context);
     Piece copy = mirrored(own);
     copy.id = mint<PieceId>(before, static_cast<std::uint32_t>(made.size()));
     copy.name = op.name.empty() ? nameOfCopy(after, own.name) : op.name;
