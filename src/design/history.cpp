@@ -18,6 +18,12 @@ Operation asRecorded(Operation operation) {
           if (op.partners == Choice::Auto) op.partners = Choice::No;
         if constexpr (std::is_same_v<decltype(op), TakeIn&>)
           if (op.follow == Choice::Auto) op.follow = Choice::No;
+        if constexpr (std::is_same_v<decltype(op), MirrorPiece&>)
+          if (op.rings == Choice::Auto) op.rings = Choice::No;
+        if constexpr (std::is_same_v<decltype(op), DraftBlock&>)
+          if (op.meets == Choice::Auto) op.meets = Choice::No;
+        if constexpr (std::is_same_v<decltype(op), DrawBand&>)
+          if (op.joined == Choice::Auto && op.sew && op.extra == 0 && op.wrap.empty()) op.joined = Choice::Yes;
       },
       static_cast<PlainOperation&>(operation));
   return operation;

@@ -115,5 +115,27 @@ TEST(Fly, OpensTheWaistband) {
   EXPECT_FALSE(endsSewn(closed, legs + " joined=no"));
 }
 
+// A step of a document of before is done again on another figure: the seam of the band's ends, which the next step may
+// take out, is there. What closes no ring is no hindrance.
+TEST(Fly, TheWaistbandOfARecordIsSewnAsItWas) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  const Done begun = room.play(file,
+                               "body size=eu38\nblock kind=skirt\nfasten kind=zip a=skirt_front.side_left "
+                               "b=skirt_back.side_left length=18cm\n");
+  ASSERT_TRUE(begun) << text(begun.error().what);
+  const Document skirt = file.document();
+  for (const auto& [of, seams] :
+       {std::pair{"skirt_front.waist* skirt_back.waist*", 2u}, std::pair{"skirt_front.waist*", 1u}}) {
+    const auto band = resolved(skirt, op("band name=w depth=4cm sew=yes of=\"" + std::string(of) + "\""), room.context);
+    ASSERT_TRUE(band) << text(band.error().what);
+    Operation old = *band;
+    std::get<DrawBand>(old).joined = Choice::Auto;
+    const auto after = apply(skirt, asRecorded(old), room.context);
+    ASSERT_TRUE(after) << text(after.error().what);
+    EXPECT_EQ(after->pattern.seams.size(), skirt.pattern.seams.size() + seams);
+  }
+}
+
 }  // namespace
 }  // namespace karinui

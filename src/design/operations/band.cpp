@@ -37,6 +37,7 @@ void tellShut(const Document& before, const DrawBand& op, bool closed, const Con
 
 Done resolve(const Document& before, DrawBand& op, Context& context) {
   if (Done done = checkPaper(before, {op.name, op.fabric, op.layer}); !done) return done;
+  const bool byId = !op.of.empty() && op.of.front().piece.id;
   if (Done done = orderRun(before, op.of); !done) return done;
   if (!(op.depth > 0 && op.depth <= 3)) return refused(say("A band is between 1 mm and 3 m deep."));
   if (!(op.ratio >= 0.1 && op.ratio <= 10))
@@ -55,6 +56,8 @@ Done resolve(const Document& before, DrawBand& op, Context& context) {
     return refused(
         say("One end of “{0}” lies on top, {1} or {2}; “{3}” is neither.", op.name, op.edges[1], op.edges[3], op.wrap));
   const bool ring = op.sew && op.extra <= 1e-3 && op.wrap.empty() && closesRing(before, op.of);
+  // Said anew of a record: its edges are named by the ids of their pieces.
+  if (op.joined == Choice::Yes && !ring && byId) op.joined = Choice::Auto;
   if (op.joined == Choice::Yes && !ring)
     return refused(
         say("Only a band that is sewn along edges that close a ring, without a lap, has its ends sewn to each other; "
