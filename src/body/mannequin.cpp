@@ -450,6 +450,19 @@ Result<BodyPtr> makeMannequin(const Measurements& wanted, Workers& workers, cons
     auto other = made(wanted, {workers, token, ends, start.wider, start.belly, start.ribs, true}, ignored);
     if (other || token.cancelled()) return other;
   }
+  // What was taken for the waist may be the belly, as the widest place there.
+  if (stated("waist_girth") > kWaistOfBelly * stated("hip_girth") && stated("belly_girth") == 0 &&
+      stated("under_bust_girth") == 0) {
+    Measurements ofBelly = wanted;
+    ofBelly.value["belly_girth"] = stated("waist_girth");
+    ofBelly.value.erase("waist_girth");
+    Unmet ignored;
+    if (made(ofBelly, by, ignored))
+      return refused(
+          say("No body could be made with waist_girth {0} beside the other measurements. If it was taken where the "
+              "belly is widest, state it as belly_girth in its place: such a figure can be made.",
+              measureSaid("waist_girth", stated("waist_girth"))));
+  }
   // Ribs narrower than the waist are more in its way than the hip, whatever the slopes say.
   const double ribs = stated("under_bust_girth");
   if (unmet.key == "waist_girth" && ribs > 0 && ribs < unmet.wanted)

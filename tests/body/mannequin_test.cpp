@@ -367,6 +367,20 @@ TEST(Mannequin, AWomansWaistMayBeWiderThanHerHip) {
   }
 }
 
+// Wider than bust and hip, it is a belly's girth, and the figure can be made so.
+TEST(Mannequin, AWaistThatIsABellysIsToldApart) {
+  if (!atLength()) GTEST_SKIP() << "./test --long";
+  Workers workers(2);
+  Measurements woman = ofGirths(Sex::Female, 1.55, 1.00, 1.02, 0.99);
+  const auto none = makeMannequin(woman, workers, Token());
+  ASSERT_FALSE(none);
+  const std::string said = text(none.error().what);
+  EXPECT_NE(said.find("state it as belly_girth in its place"), std::string::npos) << said;
+  woman.value["belly_girth"] = 1.02;
+  woman.value.erase("waist_girth");
+  if (const BodyPtr body = made(woman)) meets(woman, *body);
+}
+
 // Arms that are thick enough to lie at the trunk, where the tape jumps from grid to grid, are no quarrel.
 TEST(Mannequin, ThickArmsOfAStoutFigureAreMade) {
   for (const double arm : {0.40, 0.39}) {
