@@ -62,6 +62,20 @@ constexpr SizeSeries kSeries[] = {
     {SizeSystem::Misses, Sex::Female, "misses12", kMisses},   {SizeSystem::Children, Sex::Child, "child128", kChildren},
 };
 
+struct KnownSize {
+  const BuiltInSize* size = nullptr;  // null: there is none
+  Sex sex{};
+};
+// By its plain name. The letter that tells women's sizes of Europe from men's may stand on all of them: "eu38w".
+KnownSize sizeCalled(std::string_view plain) {
+  for (const SizeSeries& series : kSeries)
+    for (const BuiltInSize& size : series.sizes) {
+      const char* letter = series.system == SizeSystem::EuWomen ? "w" : series.system == SizeSystem::EuMen ? "m" : "";
+      if (plain == size.name || plain == std::string(size.name) + letter) return {&size, series.sex};
+    }
+  return {};
+}
+
 }  // namespace
 
 std::span<const SizeSeries> sizeSeries() { return kSeries; }
@@ -77,19 +91,16 @@ std::span<const std::string_view> builtInSizes() {
 }
 
 std::string plainSize(std::string_view name) {
-  const std::string plain = plainName(name);
-  const auto sizes = builtInSizes();
-  return std::find(sizes.begin(), sizes.end(), plain) == sizes.end() ? std::string(name) : plain;
+  const KnownSize known = sizeCalled(plainName(name));
+  return std::string(known.size ? known.size->name : name);
 }
 
 Result<Measurements> builtInSize(std::string_view name) {
   const std::string wanted = plainName(name.substr(0, 80));
-  for (const SizeSeries& series : kSeries)
-    for (const BuiltInSize& size : series.sizes)
-      if (size.name == wanted)
-        return Measurements{
-            series.sex,
-            {{"bust_girth", size.bust}, {"waist_girth", size.waist}, {"hip_girth", size.hip}, {"height", size.height}}};
+  if (const auto [size, sex] = sizeCalled(wanted); size)
+    return Measurements{
+        sex,
+        {{"bust_girth", size->bust}, {"waist_girth", size->waist}, {"hip_girth", size->hip}, {"height", size->height}}};
   const auto listed = [](std::string_view beginning) {
     std::string names;
     for (const std::string_view known : builtInSizes())

@@ -44,6 +44,9 @@ TEST(Measurements, BuiltInSizes) {
     EXPECT_TRUE(usual) << series.usual;
   }
   EXPECT_EQ(plainSize("EU 44 W"), "eu44w");
+  EXPECT_EQ(plainSize("EU 38 W"), "eu38");
+  EXPECT_EQ(plainSize("eu50m"), "eu50");
+  EXPECT_EQ(plainSize("eu38m"), "eu38m") << "there is none";
   EXPECT_EQ(plainSize("my own"), "my own");
   EXPECT_DOUBLE_EQ(builtInSize("jis9ar")->value.at("waist_girth"), 0.64);
   EXPECT_EQ(builtInSize("eu50")->sex, Sex::Male);
