@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numeric>
+#include <random>
+#include <set>
+#include <tuple>
 
 #include "cloth/helpers.h"
 #include "cloth/intersection_removal.h"
+#include "karinui/geometry/triangle_intersection.h"
 
 namespace karinui::test {
 namespace {
@@ -49,6 +54,48 @@ TEST(IntersectionContour, TheWayOutDrawsThePassedCornerBack) {
     contour.find(s.state.position, workers);
   }
   EXPECT_EQ(contour.crossings(), 0u);
+}
+
+// Each edge against each face by the exact predicate.
+std::size_t crossingsOneByOne(const Cloth& cloth, const std::vector<Vec3>& x) {
+  std::vector<Triangle> faces;
+  for (const ClothPiece& piece : cloth.pieces)
+    for (const Triangle& f : piece.lattice->faces)
+      faces.push_back({piece.firstNode + f[0], piece.firstNode + f[1], piece.firstNode + f[2]});
+  std::set<std::tuple<NodeIndex, NodeIndex, std::size_t>> found;
+  for (const Triangle& f : faces)
+    for (std::size_t g = 0; g < faces.size(); ++g) {
+      if (std::any_of(f.begin(), f.end(),
+                      [&](NodeIndex k) { return std::find(faces[g].begin(), faces[g].end(), k) != faces[g].end(); }))
+        continue;
+      const std::array<NanoPoint, 3> corners{toNano(x[faces[g][0]]), toNano(x[faces[g][1]]), toNano(x[faces[g][2]])};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto [low, high] = std::minmax(f[c], f[(c + 1) % 3]);
+        if (segmentCrossesTriangle(toNano(x[low]), toNano(x[high]), corners)) found.emplace(low, high, g);
+      }
+    }
+  return found.size();
+}
+
+// Two sheets that lie on each other within micrometres to centimetres, some drawn together so that faces are slivers.
+TEST(IntersectionContour, FindsWhatTheExactPredicateFinds) {
+  Workers workers(1);
+  std::mt19937 random(7);
+  std::size_t all = 0;
+  for (const double rough : {2e-8, 1e-6, 1e-4, 5e-3, 2e-2})
+    for (const double narrow : {1.0, 1e-2, 1e-5}) {
+      CrossedSheets s = sheets(0);
+      std::normal_distribution<double> off(0, rough);
+      for (std::size_t piece = 0, n = 0; piece < 2; ++piece)
+        for (const Flat p : s.cloth.pieces[piece].lattice->nodes)
+          s.state.position[n++] =
+              Vec3{p.u + off(random), off(random), (p.v + off(random)) * narrow + 0.003 * static_cast<double>(piece)};
+      IntersectionContour contour(s.cloth);
+      contour.find(s.state.position, workers);
+      EXPECT_EQ(contour.crossings(), crossingsOneByOne(s.cloth, s.state.position)) << rough << ", " << narrow;
+      all += contour.crossings();
+    }
+  EXPECT_GT(all, 1000u);
 }
 
 // Something presses the sheets together, so that they do not move: what separates them grows until it is given up.
