@@ -34,6 +34,13 @@ class RoomRenderer {
   void takeTable(const FittingRoom& room);
   void takeLines(const FittingRoom& room);
   void takeBoards(const FittingRoom& room, const Rigid& eyes);
+  void addHands(const FittingRoom& room, std::vector<SceneLine>& lines) const;
+  // Boards hang in the stand's space; `eyes`, too.
+  enum class Where { Fitting, Stand };
+  void addWords(const FittingRoom& room, Vec3 eyes, std::vector<Board>& boards);
+  void addPanel(const SceneMenu& panel, Where where, int pixels, Language language, std::vector<Board>& boards);
+  void addTitle(const Choice& choice, Language language, std::vector<Board>& boards);
+  Board toldBoard(const FittingRoom& room);
 
   std::unique_ptr<Renderer> garment_, table_;
   std::unique_ptr<Boards> boards_;

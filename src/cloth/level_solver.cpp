@@ -296,6 +296,43 @@ int LevelSolver::refineMove(const StepOptions& options, const std::vector<Vec3>&
   return iterations;
 }
 
+std::optional<double> LevelSolver::longestMove() const {
+  double most = 0;
+  for (NodeIndex k : moving_) {
+    const double own = squaredLength(nodeMove_[k]);
+    if (!std::isfinite(own)) return std::nullopt;
+    most = std::max(most, own);
+  }
+  return std::sqrt(most);
+}
+
+LevelSolver::Moved LevelSolver::advance(double seconds) {
+  const std::vector<Moved> blocks = workers_.each(moving_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
+    Moved moved;
+    for (std::size_t n = begin; n < end; ++n) {
+      const NodeIndex k = moving_[n];
+      const double own = squaredLength(nodeMove_[k]);
+      x_[k] += nodeMove_[k];
+      moved.work -= dot(gradient_[k], nodeMove_[k]);
+      moved.now += own;
+      moved.before += squaredLength(velocity_[k]);
+      moved.both += dot(nodeMove_[k], velocity_[k]);
+      moved.most = std::max(moved.most, own);
+      velocity_[k] = nodeMove_[k] * (1 / seconds);
+    }
+    return moved;
+  });
+  Moved whole;
+  for (const Moved& moved : blocks) {
+    whole.work += moved.work;
+    whole.now += moved.now;
+    whole.before += moved.before;
+    whole.both += moved.both;
+    whole.most = std::max(whole.most, moved.most);
+  }
+  return whole;
+}
+
 LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Token& token) {
   StepResult result;
   if (ties_->unknowns() == 0) return result;
@@ -330,16 +367,10 @@ LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Toke
     x_ = from;
     for (NodeIndex k : moving_) nodeMove_[k] += ahead[k];
   }
-  double most = 0;
-  for (NodeIndex k : moving_) {
-    const double own = squaredLength(nodeMove_[k]);
-    if (!std::isfinite(own)) result.finite = false;
-    most = std::max(most, own);
-  }
-  most = std::sqrt(most);
-  result.finite = result.finite && std::isfinite(result.residual);
+  const auto most = longestMove();
+  result.finite = most && std::isfinite(result.residual);
   if (!result.finite || token.cancelled()) return result;
-  const double scale = most > options.mostMove ? options.mostMove / most : 1;
+  const double scale = *most > options.mostMove ? options.mostMove / *most : 1;
   result.shortened = scale < 1;
   if (result.shortened)
     for (NodeIndex k : moving_) nodeMove_[k] = nodeMove_[k] * scale;
@@ -350,32 +381,7 @@ LevelSolver::StepResult LevelSolver::step(const StepOptions& options, const Toke
     if (token.cancelled()) return result;
   }
   updateDamping(use);
-  struct Moved {
-    double work = 0, now = 0, before = 0, both = 0, most = 0;
-  };
-  const std::vector<Moved> blocks = workers_.each(moving_.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
-    Moved moved;
-    for (std::size_t n = begin; n < end; ++n) {
-      const NodeIndex k = moving_[n];
-      const double own = squaredLength(nodeMove_[k]);
-      x_[k] += nodeMove_[k];
-      moved.work -= dot(gradient_[k], nodeMove_[k]);
-      moved.now += own;
-      moved.before += squaredLength(velocity_[k]);
-      moved.both += dot(nodeMove_[k], velocity_[k]);
-      moved.most = std::max(moved.most, own);
-      velocity_[k] = nodeMove_[k] * (1 / options.seconds);
-    }
-    return moved;
-  });
-  Moved whole;
-  for (const Moved& moved : blocks) {
-    whole.work += moved.work;
-    whole.now += moved.now;
-    whole.before += moved.before;
-    whole.both += moved.both;
-    whole.most = std::max(whole.most, moved.most);
-  }
+  const Moved whole = advance(options.seconds);
   result.move = std::sqrt(whole.most);
   result.work = whole.work;
   result.finite = std::isfinite(whole.now);

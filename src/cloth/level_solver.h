@@ -92,7 +92,14 @@ class LevelSolver {
   // inertia does not resist, or empty.
   int refineMove(const StepOptions& options, const std::vector<Vec3>& from, const std::vector<Vec3>& coasting,
                  const std::vector<Vec3>& ahead, const Token& token);
-  void rebuild();  // after ties changed
+  std::optional<double> longestMove() const;  // of nodeMove_, metres; none where it is not finite
+  struct Moved {                              // sums of squares, but for the work
+    double work = 0;                          // joules, of the gradient along the move
+    double now = 0, before = 0, both = 0;     // of the moves, the velocities before, and their products
+    double most = 0;                          // the greatest of the moves'
+  };
+  Moved advance(double seconds);  // by nodeMove_, which took so long
+  void rebuild();                 // after ties changed
 
   const Cloth& cloth_;
   Workers& workers_;

@@ -117,106 +117,166 @@ std::vector<double> raggedness(std::span<const std::uint32_t> border, const std:
   return widened;
 }
 
-}  // namespace
-
-void liftOff(Patch& patch, const TriangleMesh& body, const Bvh& bvh, const LiftSettings& settings) {
-  std::vector<Vec3>& points = patch.mesh.points;
-  const std::vector<Vec3> drawn = points;
-  const Neighbours all = neighboursOf(patch.mesh);
-  Neighbours near = all;
-  borderLooksAlong(patch.border, near);
-  std::vector<std::uint8_t> onBorder(points.size(), 0), corner(points.size(), 0), onFold(points.size(), 0);
-  for (std::uint32_t p : patch.border) onBorder[p] = 1;
-  for (std::uint32_t i : patch.first) corner[patch.border[i]] = 1;
-  for (std::uint32_t p : settings.fold) {
-    onFold[p] = 1;
-    near[p] = all[p];
-  }
-  // Border points that are one place on the body (the two sides of a slit) stay one.
+// Border points that are one place on the body, as the two sides of a slit.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> twinsOf(const Patch& patch) {
+  const std::vector<Vec3>& points = patch.mesh.points;
   std::vector<std::uint32_t> sorted(patch.border);
-  const auto lower = [&](std::uint32_t a, std::uint32_t b) {
-    const Vec3 p = patch.mesh.points[a], q = patch.mesh.points[b];
+  std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3 p = points[a], q = points[b];
     return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
-  };
-  std::sort(sorted.begin(), sorted.end(), lower);
+  });
   std::vector<std::pair<std::uint32_t, std::uint32_t>> twins;
   for (std::size_t i = 0; i + 1 < sorted.size(); ++i)
     for (std::size_t j = i + 1; j < sorted.size() && points[sorted[j]].x - points[sorted[i]].x < kOnePlace; ++j)
       if (distance(points[sorted[i]], points[sorted[j]]) < kOnePlace) twins.emplace_back(sorted[i], sorted[j]);
-  const auto keepTogether = [&](std::vector<Vec3>& places) {
-    for (std::uint32_t p : settings.fold) places[p].x = 0;
-    for (const auto& [a, b] : twins) places[a] = places[b] = (places[a] + places[b]) * 0.5;
-  };
+  return twins;
+}
 
-  const std::vector<Vec3> bodyNormals = pointNormals(body);
-  const auto skinNormal = [&](const SurfacePoint& place, const std::vector<Vec3>& of) {
-    const Triangle& t = body.faces[place.face];
+// The body's skin and its normals.
+class SkinBeneath {
+ public:
+  SkinBeneath(const TriangleMesh& body, const Bvh& bvh) : body_(body), bvh_(bvh), normals_(pointNormals(body)) {}
+
+  // Out of the body at the nearest place: along the way from there, or the skin's normal when on or under it.
+  Vec3 clear(Vec3 p, double least) const {
+    const auto hit = bvh_.nearest(p);
+    if (!hit) return p;
+    const Vec3 n = normalAt(hit->place, normals_);
+    const double above = dot(p - hit->point, n) < 0 ? -hit->distance : hit->distance;
+    return above >= least ? p : p + n * (least - above);
+  }
+  // Smoothed over the whole body, they say where "off the body" is. (Smoothed over the sheet alone they would lean
+  // inwards along its border and draw it together.)
+  std::vector<Vec3> smoothNormalsBy(std::span<const Vec3> points) const {
+    const std::vector<Vec3> smooth = smoothed(normals_, neighboursOf(body_), 8);
+    std::vector<Vec3> normals;
+    for (const Vec3 p : points) {
+      const auto hit = bvh_.nearest(p);
+      KARINUI_ASSERT(hit);
+      normals.push_back(normalAt(hit->place, smooth));
+    }
+    return normals;
+  }
+
+ private:
+  Vec3 normalAt(const SurfacePoint& place, const std::vector<Vec3>& of) const {
+    const Triangle& t = body_.faces[place.face];
     Vec3 n;
     for (std::size_t k = 0; k < 3; ++k) n += of[t[k]] * place.weight[k];
     return normalized(n);
-  };
-  // Out of the body at the nearest place: along the way from there, or the skin's smoothed normal when on or under it.
-  const auto clear = [&](Vec3 p, double least) {
-    const auto hit = bvh.nearest(p);
-    if (!hit) return p;
-    const Vec3 n = skinNormal(hit->place, bodyNormals);
-    const double above = dot(p - hit->point, n) < 0 ? -hit->distance : hit->distance;
-    if (above >= least) return p;
-    return p + n * (least - above);
-  };
-
-  // The skin's normals, smoothed over the whole body, say where "off the body" is. (Smoothed over the sheet alone they
-  // would lean inwards along its border and draw it together.)
-  const std::vector<Vec3> smooth = smoothed(bodyNormals, neighboursOf(body), 8);
-  std::vector<Vec3> normals(points.size()), next(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto hit = bvh.nearest(points[i]);
-    KARINUI_ASSERT(hit);
-    normals[i] = skinNormal(hit->place, smooth);
   }
-  keepTogether(normals);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points[i] = clear(points[i] + normals[i] * settings.ease, settings.ease);
-  keepTogether(points);
 
-  // Spanning: each point goes towards the middle of its neighbours, but only outwards or level, never into the ease.
-  for (int round = 0; round < settings.spanRounds; ++round) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (corner[i]) {
-        next[i] = points[i];
-        continue;
-      }
-      const Vec3 step = meanOf(near[i], points) - points[i];
-      // Along the sheet only a little, so that the drawn line and the triangles stay where they are.
-      const double out = dot(step, normals[i]);
-      const Vec3 level = step - normals[i] * out;
-      next[i] = points[i] + normals[i] * (0.5 * out) + level * (onBorder[i] && !onFold[i] ? 0.0 : 0.2);
+  const TriangleMesh& body_;
+  const Bvh& bvh_;
+  std::vector<Vec3> normals_;
+};
+
+// A sheet on its way off the body.
+class LiftedSheet {
+ public:
+  LiftedSheet(Patch& patch, const SkinBeneath& skin, const LiftSettings& settings)
+      : patch_(patch),
+        points_(patch.mesh.points),
+        drawn_(points_),
+        skin_(skin),
+        settings_(settings),
+        near_(neighboursOf(patch.mesh)),
+        twins_(twinsOf(patch)),
+        onBorder_(points_.size(), 0),
+        corner_(points_.size(), 0),
+        onFold_(points_.size(), 0),
+        next_(points_.size()) {
+    const Neighbours all = near_;
+    borderLooksAlong(patch.border, near_);
+    for (std::uint32_t p : patch.border) onBorder_[p] = 1;
+    for (std::uint32_t i : patch.first) corner_[patch.border[i]] = 1;
+    for (std::uint32_t p : settings.fold) {
+      onFold_[p] = 1;
+      near_[p] = all[p];
     }
-    points.swap(next);
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] = clear(points[i], settings.ease);
-    keepTogether(points);
+  }
+
+  void lift() {
+    normals_ = skin_.smoothNormalsBy(points_);
+    keepTogether(normals_);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      points_[i] = skin_.clear(points_[i] + normals_[i] * settings_.ease, settings_.ease);
+    keepTogether(points_);
+  }
+
+  // Each point goes towards the middle of its neighbours, but only outwards or level, never into the ease.
+  void span() {
+    for (int round = 0; round < settings_.spanRounds; ++round) {
+      for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (corner_[i]) {
+          next_[i] = points_[i];
+          continue;
+        }
+        const Vec3 step = meanOf(near_[i], points_) - points_[i];
+        // Along the sheet only a little, so that the drawn line and the triangles stay where they are.
+        const double out = dot(step, normals_[i]);
+        const Vec3 level = step - normals_[i] * out;
+        next_[i] = points_[i] + normals_[i] * (0.5 * out) + level * (onBorder_[i] && !onFold_[i] ? 0.0 : 0.2);
+      }
+      points_.swap(next_);
+      for (Vec3& p : points_) p = skin_.clear(p, settings_.ease);
+      keepTogether(points_);
+    }
   }
 
   // Deep in an armpit or crotch the sheet may have been pushed against itself: there it is drawn smooth, whatever the
   // ease.
-  for (int round = 0; round < 60; ++round) {
-    const std::vector<std::uint8_t> bad = folded(patch.mesh);
-    if (std::none_of(bad.begin(), bad.end(), [](std::uint8_t b) { return b != 0; })) break;
-    next = points;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (bad[i] && !corner[i]) next[i] = (points[i] + meanOf(near[i], points)) * 0.5;
-    points.swap(next);
-    keepTogether(points);
+  void unfold() {
+    for (int round = 0; round < 60; ++round) {
+      const std::vector<std::uint8_t> bad = folded(patch_.mesh);
+      if (std::none_of(bad.begin(), bad.end(), [](std::uint8_t b) { return b != 0; })) break;
+      next_ = points_;
+      for (std::size_t i = 0; i < points_.size(); ++i)
+        if (bad[i] && !corner_[i]) next_[i] = (points_[i] + meanOf(near_[i], points_)) * 0.5;
+      points_.swap(next_);
+      keepTogether(points_);
+    }
   }
 
   // The way off the body is a little different at every point, which leaves a line that was drawn smoothly ragged by a
   // millimetre or two; and the skin's own facets a little more.
-  std::vector<Vec3> off = points;
-  for (std::size_t i = 0; i < points.size(); ++i) off[i] = points[i] - drawn[i];
-  const std::vector<double> everywhere(patch.border.size(), 1.0);
-  evenOut(patch.border, corner, onFold, off, everywhere, 10, keepTogether);
-  for (const std::uint32_t p : patch.border) points[p] = drawn[p] + off[p];
-  evenOut(patch.border, corner, onFold, points, raggedness(patch.border, corner, points), 2, keepTogether);
+  void evenOutBorder() {
+    std::vector<Vec3> off = points_;
+    for (std::size_t i = 0; i < points_.size(); ++i) off[i] = points_[i] - drawn_[i];
+    const std::vector<double> everywhere(patch_.border.size(), 1.0);
+    const auto together = [this](std::vector<Vec3>& values) { keepTogether(values); };
+    evenOut(patch_.border, corner_, onFold_, off, everywhere, 10, together);
+    for (const std::uint32_t p : patch_.border) points_[p] = drawn_[p] + off[p];
+    evenOut(patch_.border, corner_, onFold_, points_, raggedness(patch_.border, corner_, points_), 2, together);
+  }
+
+ private:
+  // On the fold what lies on it; twins at one place.
+  void keepTogether(std::vector<Vec3>& places) const {
+    for (std::uint32_t p : settings_.fold) places[p].x = 0;
+    for (const auto& [a, b] : twins_) places[a] = places[b] = (places[a] + places[b]) * 0.5;
+  }
+
+  Patch& patch_;
+  std::vector<Vec3>& points_;
+  const std::vector<Vec3> drawn_;
+  const SkinBeneath& skin_;
+  const LiftSettings& settings_;
+  Neighbours near_;
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> twins_;
+  std::vector<std::uint8_t> onBorder_, corner_, onFold_;
+  std::vector<Vec3> normals_, next_;
+};
+
+}  // namespace
+
+void liftOff(Patch& patch, const TriangleMesh& body, const Bvh& bvh, const LiftSettings& settings) {
+  const SkinBeneath skin(body, bvh);
+  LiftedSheet sheet(patch, skin, settings);
+  sheet.lift();
+  sheet.span();
+  sheet.unfold();
+  sheet.evenOutBorder();
 }
 
 }  // namespace karinui

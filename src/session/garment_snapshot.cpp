@@ -257,6 +257,8 @@ Box roomOnTable(const GarmentSnapshot::Worn& worn, const Document& document, con
   return seam;
 }
 
+Flat paperMiddle(const Box& box) { return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2}; }
+
 }  // namespace
 
 Box TableLayout::lies(PieceId id) const {
@@ -291,49 +293,62 @@ void TableLayout::arrange(const GarmentSnapshot& snapshot) {
   const bool same = std::equal(seam.begin(), seam.end(), seam_.begin(), seam_.end(), [](const auto& a, const auto& b) {
     return a.first == b.first && a.second.low == b.second.low && a.second.high == b.second.high;
   });
-  if (!sized && same && std::all_of(snapshot.worn.begin(), snapshot.worn.end(), [&](const auto& worn) {
-        return place_.contains(worn.id);
-      }))
-    return;
+  const auto laid = [&](const auto& worn) { return place_.contains(worn.id); };
+  if (!sized && same && std::all_of(snapshot.worn.begin(), snapshot.worn.end(), laid)) return;
   seam_ = std::move(seam);
-  // Which pieces lay on each other before, as the hand had laid them.
-  std::set<std::pair<PieceId, PieceId>> met;
-  const auto pairs = [&](const auto& each) {
-    for (auto one = place_.begin(); one != place_.end(); ++one)
-      for (auto other = std::next(one); other != place_.end(); ++other)
-        if (meet(one->first, other->first)) each(one->first, other->first);
-  };
-  pairs([&](PieceId one, PieceId other) { met.insert({one, other}); });
+  makeRoom(snapshot, sized);
+  bringBack(snapshot);
+  layNew(snapshot);
+}
+
+template <class Each>
+void TableLayout::eachThatMeet(const Each& each) const {
+  for (auto one = place_.begin(); one != place_.end(); ++one)
+    for (auto other = std::next(one); other != place_.end(); ++other)
+      if (meet(one->first, other->first)) each(one->first, other->first);
+}
+
+bool TableLayout::isFree(PieceId id) const {
+  return std::none_of(place_.begin(), place_.end(),
+                      [&](const auto& other) { return other.first != id && meet(id, other.first); });
+}
+
+// Pieces that need more room than they did, so that they lie on each other now, are laid anew.
+void TableLayout::makeRoom(const GarmentSnapshot& snapshot, bool sized) {
+  const Document& document = snapshot.document;
+  std::set<std::pair<PieceId, PieceId>> met;  // as the hand had laid them
+  eachThatMeet([&](PieceId one, PieceId other) { met.insert({one, other}); });
   const AllowancePlan plan(document.pattern, document.allowances);
   room_.clear();
   for (const auto& worn : snapshot.worn) room_[worn.id] = roomOnTable(worn, document, plan);
   // What was traced stays on its scan.
   const auto onScan = [&](PieceId id) {
-    const auto& room = room_.at(id);
-    return at(id) == Flat{} &&
-           underlayAt(document.underlays, {(room.low.x + room.high.x) / 2, (room.low.y + room.high.y) / 2});
+    return at(id) == Flat{} && underlayAt(document.underlays, paperMiddle(room_.at(id)));
   };
   bool anew = false;
-  pairs([&](PieceId one, PieceId other) {
+  eachThatMeet([&](PieceId one, PieceId other) {
     if ((!sized && met.contains({one, other})) || (onScan(one) && onScan(other))) return;
     carried_.erase(one), carried_.erase(other);
     anew = true;
   });
-  if (anew) {
-    std::erase_if(place_, [&](const auto& known) { return !carried_.contains(known.first) && !onScan(known.first); });
-    left_.clear();
-  }
-  // What an undo brings back lies where it lay, unless something else does now.
+  if (!anew) return;
+  std::erase_if(place_, [&](const auto& known) { return !carried_.contains(known.first) && !onScan(known.first); });
+  left_.clear();
+}
+
+// What an undo brings back lies where it lay, unless something else does now.
+void TableLayout::bringBack(const GarmentSnapshot& snapshot) {
   for (const auto& worn : snapshot.worn) {
     const auto left = left_.find(worn.id);
     if (left == left_.end() || place_.contains(worn.id)) continue;
     place_[worn.id] = left->second;
     left_.erase(left);
-    if (std::any_of(place_.begin(), place_.end(),
-                    [&](const auto& other) { return other.first != worn.id && meet(worn.id, other.first); }))
-      place_.erase(worn.id);
+    if (!isFree(worn.id)) place_.erase(worn.id);
   }
-  // Rows from the top downwards; a new piece goes to the end of the last row.
+}
+
+// Rows from the top downwards; a new piece goes to the end of the last row.
+void TableLayout::layNew(const GarmentSnapshot& snapshot) {
   double right = 0, top = 0, low = 0;
   bool any = false;
   const auto goOnBeside = [&](const Box& b) {
@@ -347,9 +362,7 @@ void TableLayout::arrange(const GarmentSnapshot& snapshot) {
     if (place_.contains(worn.id)) continue;
     const Box& b = room_.at(worn.id);
     // What was traced lies on its scan again, when the document is opened anew.
-    const Flat middle{(b.low.x + b.high.x) / 2, (b.low.y + b.high.y) / 2};
-    if (underlayAt(document.underlays, middle) &&
-        std::none_of(place_.begin(), place_.end(), [&](const auto& other) { return meet(worn.id, other.first); })) {
+    if (underlayAt(snapshot.document.underlays, paperMiddle(b)) && isFree(worn.id)) {
       place_[worn.id] = {};
       goOnBeside(b);
       continue;

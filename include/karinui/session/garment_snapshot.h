@@ -78,6 +78,12 @@ class TableLayout {
  private:
   Box lies(PieceId id) const;
   bool meet(PieceId one, PieceId other) const;
+  template <class Each>
+  void eachThatMeet(const Each& each) const;
+  bool isFree(PieceId id) const;  // whether it meets no piece that is laid
+  void makeRoom(const GarmentSnapshot& snapshot, bool sized);
+  void bringBack(const GarmentSnapshot& snapshot);
+  void layNew(const GarmentSnapshot& snapshot);
   std::map<PieceId, Flat> place_, left_;  // of the pieces that are there; of those that are gone
   std::set<PieceId> graded_;              // those that had sizes when they were laid
   std::set<PieceId> carried_;
