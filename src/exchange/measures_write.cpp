@@ -1,6 +1,7 @@
 // Measurement files written, and the formats by their endings.
 #include <numbers>
 
+#include "exchange/code_pages.h"
 #include "exchange/measure_names.h"
 #include "karinui/base/file.h"
 #include "karinui/base/number.h"
@@ -82,8 +83,9 @@ Measurements forMannequin(const Measurements& measures) {
 Result<MeasuresRead> readMeasures(const std::filesystem::path& file) {
   for (const FileFormat* format : formatsReading(file)) {
     if (!format->readMeasures && !json(file)) continue;
-    const auto bytes = readFile(file, std::size_t{8} << 20);
+    auto bytes = readFile(file, std::size_t{8} << 20);
     if (!bytes) return bytes.error();
+    bytes = withoutUtf16(*std::move(bytes));
     auto read = json(file) ? readMeasuresJson(*bytes) : format->readMeasures(*bytes);
     if (!read) return inFile(file, read.error());
     return read;

@@ -1,10 +1,8 @@
 #include "names.h"
 
 namespace karinui {
-namespace {
-
-// How many bytes the UTF-8 character at `i` has; 0 where there is none (RFC 3629, table of well-formed sequences).
-std::size_t characterLength(std::string_view text, std::size_t i) {
+// RFC 3629, table of well-formed sequences.
+std::size_t utf8Length(std::string_view text, std::size_t i) {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
   const auto follows = [&](std::size_t k) { return (byte(k) & 0xC0u) == 0x80u; };
   const unsigned first = byte(i), second = byte(i + 1);
@@ -21,12 +19,10 @@ std::size_t characterLength(std::string_view text, std::size_t i) {
   return 0;
 }
 
-}  // namespace
-
 std::string cleanText(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size() && out.size() < 197;) {
-    const std::size_t count = characterLength(text, i);
+    const std::size_t count = utf8Length(text, i);
     const std::string_view character = text.substr(i, count);
     // C1 controls and the two code points XML 1.0 has no place for are replaced as well.
     const bool c1 = count == 2 && character[0] == '\xC2' && static_cast<unsigned char>(character[1]) < 0xA0;

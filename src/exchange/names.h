@@ -11,6 +11,9 @@
 
 namespace karinui {
 
+// How many bytes the UTF-8 character at `i` has; 0 where there is none.
+std::size_t utf8Length(std::string_view text, std::size_t i);
+
 // Valid UTF-8 without control characters: what is neither becomes U+FFFD or a space. At most 200 bytes.
 std::string cleanText(std::string_view text);
 

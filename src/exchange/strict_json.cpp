@@ -4,6 +4,8 @@
 #include <set>
 #include <vector>
 
+#include "exchange/names.h"
+
 namespace karinui {
 namespace {
 
@@ -100,10 +102,20 @@ bool isPoint(const Json& value, std::size_t dimensions) {
 
 std::string shown(std::string_view name) {
   std::string out;
-  for (const char c : name.substr(0, 80)) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-  while (!out.empty() && out.size() < name.size() && (static_cast<unsigned char>(out.back()) & 0xC0) == 0x80)
-    out.pop_back();
-  if (out.size() < name.size()) out += "…";
+  const std::string_view begin = name.substr(0, 80);
+  for (std::size_t i = 0; i < begin.size();) {
+    const std::size_t count = utf8Length(name, i);
+    const auto byte = static_cast<unsigned char>(name[i]);
+    if (count > 0 && i + count > begin.size()) break;
+    if (count == 0)
+      out += "\xEF\xBF\xBD";
+    else if (byte < 0x20 || byte == 0x7f)
+      out += ' ';
+    else
+      out += name.substr(i, count);
+    i += std::max<std::size_t>(count, 1);
+  }
+  if (begin.size() < name.size()) out += "…";
   return out;
 }
 

@@ -1,11 +1,9 @@
 #include "dxf_text.h"
 
-#include <iconv.h>
-
 #include <cctype>
-#include <cerrno>
 #include <optional>
 
+#include "exchange/code_pages.h"
 #include "exchange/names.h"
 
 namespace karinui {
@@ -13,21 +11,10 @@ namespace karinui {
 namespace {
 
 constexpr std::size_t kLongest = 400;  // bytes of a text that are looked at
-constexpr const char* kWestern = "CP1252";
 
 // Nothing: the bytes are no text of that code page.
 std::optional<std::string> decoded(std::string_view bytes, const std::string& codePage) {
-  const iconv_t table = iconv_open("UTF-8", codePage.c_str());
-  if (table == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
-  std::string in(bytes.substr(0, kLongest)), out(4 * in.size() + 4, '\0');
-  char *from = in.data(), *to = out.data();
-  std::size_t left = in.size(), room = out.size();
-  // A character that the end cut in two is no fault.
-  const bool good = iconv(table, &from, &left, &to, &room) != static_cast<std::size_t>(-1) || errno == EINVAL;
-  iconv_close(table);
-  if (!good) return std::nullopt;
-  out.resize(out.size() - room);
-  return out;
+  return inUtf8(bytes.substr(0, kLongest), codePage);
 }
 
 bool isAscii(std::string_view text) {
@@ -44,13 +31,6 @@ std::string pageOf(std::string_view told) {
   if (told.starts_with("ANSI") || told.starts_with("ansi") || told.starts_with("dos") || told.starts_with("DOS"))
     return digits == "936" ? "GBK" : digits == "950" ? "BIG5" : "CP" + digits;
   return {};
-}
-
-// Chinese names read as Japanese ones come out with half-width kana, which nobody writes beside kanji.
-bool hasHalfWidthKana(std::string_view utf8) {
-  for (std::size_t i = 0; i + 2 < utf8.size(); ++i)
-    if (utf8[i] == '\xEF' && (utf8[i + 1] == '\xBD' || utf8[i + 1] == '\xBE')) return true;
-  return false;
 }
 
 // \U+524D, as programs write letters that their code page lacks.
@@ -100,8 +80,7 @@ DxfWords::DxfWords(const DxfFile& file) {
   }
   if (!codePage_.empty() && decoded("A", codePage_)) return;
   guessed_ = true;
-  const auto japanese = decoded(all, "CP932");
-  codePage_ = japanese && !hasHalfWidthKana(*japanese) ? "CP932" : decoded(all, "GBK") ? "GBK" : kWestern;
+  codePage_ = likelyCodePage(std::string_view(all).substr(0, kLongest));
 }
 
 std::string DxfWords::operator()(std::string_view bytes) const {
