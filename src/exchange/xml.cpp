@@ -2,7 +2,9 @@
 
 #include <charconv>
 #include <optional>
+#include <set>
 
+#include "exchange/code_pages.h"
 #include "karinui/base/number.h"
 #include "names.h"
 #include "strict_json.h"
@@ -18,7 +20,8 @@ bool isName(char c) {
          c == '-' || c == ':' || c == '.';
 }
 
-std::optional<std::string> resolved(std::string_view text) {
+// References to the file's own names stay as they are written.
+std::optional<std::string> resolved(std::string_view text, const std::set<std::string>& own) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '<') return std::nullopt;
@@ -27,8 +30,13 @@ std::optional<std::string> resolved(std::string_view text) {
       continue;
     }
     const std::size_t end = text.find(';', i);
-    if (end == std::string_view::npos || end - i > 10) return std::nullopt;
+    if (end == std::string_view::npos || end - i > 64) return std::nullopt;
     const std::string_view name = text.substr(i + 1, end - i - 1);
+    if (own.contains(std::string(name))) {
+      out += text.substr(i, end + 1 - i);
+      i = end;
+      continue;
+    }
     if (name == "amp")
       out += '&';
     else if (name == "lt")
@@ -83,13 +91,15 @@ class Parser {
   }
   bool markup() {
     if (starts("<!--")) return skipPast("-->");
-    if (starts("<![CDATA[")) return skipPast("]]>");
-    if (starts("<?")) return skipPast("?>");
-    if (starts("<!")) {
-      wrong_ =
-          say("The file has a DOCTYPE, which is not read for safety. Save it without one (a drawing as plain SVG).");
-      return false;
+    if (starts("<![CDATA[")) {
+      const std::size_t from = at_ + 9;
+      if (!skipPast("]]>")) return false;
+      if (!out_.empty() && out_.back().depth + 1 == open_.size())
+        out_.back().text += text_.substr(from, at_ - 3 - from);
+      return true;
     }
+    if (starts("<?")) return skipPast("?>");
+    if (starts("<!")) return doctype();
     if (starts("</")) {
       at_ += 2;
       const std::string name = word();
@@ -101,6 +111,48 @@ class Parser {
     }
     ++at_;
     return element();
+  }
+  // Passed over: no definition that it names is opened. Drawing programs declare short names for addresses within it;
+  // these are known by name and never put in. All other declarations of its own are refused.
+  bool doctype() {
+    const std::size_t end = text_.find_first_of("[>", at_), from = at_;
+    if (starts("<!DOCTYPE") && out_.empty() && end != std::string_view::npos) {
+      at_ = end + 1;
+      if (text_[end] == '>' || declarations()) return true;
+    }
+    at_ = from;
+    wrong_ =
+        say("The file has a DOCTYPE with declarations of its own, which are not read for safety. Save it without one "
+            "(a drawing as plain SVG).");
+    return false;
+  }
+  // <!ENTITY name "plain words"> … ]>
+  bool declarations() {
+    const auto blank = [&] {
+      while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
+    };
+    for (;;) {
+      blank();
+      if (starts("]")) {
+        ++at_, blank();
+        if (!starts(">")) return false;
+        ++at_;
+        return true;
+      }
+      if (!starts("<!ENTITY") || own_.size() >= 100) return false;
+      at_ += 8, blank();
+      const std::string name = word();
+      blank();
+      if (name.empty() || at_ >= text_.size() || (text_[at_] != '"' && text_[at_] != '\'')) return false;
+      const std::size_t close = text_.find(text_[at_], at_ + 1);
+      if (close == std::string_view::npos ||
+          text_.substr(at_, close - at_).find_first_of("&%<") != std::string_view::npos)
+        return false;
+      at_ = close + 1, blank();
+      if (!starts(">")) return false;
+      ++at_;
+      own_.insert(name);
+    }
   }
   std::string word() {
     const std::size_t from = at_;
@@ -124,7 +176,7 @@ class Parser {
       if (starts(">")) {
         ++at_;
         open_.push_back(element.name);
-        element.text = resolved(text_.substr(at_, text_.find('<', at_) - at_)).value_or("");
+        element.text = resolved(text_.substr(at_, text_.find('<', at_) - at_), own_).value_or("");
         out_.push_back(std::move(element));
         return true;
       }
@@ -138,7 +190,7 @@ class Parser {
     if (at_ >= text_.size() || (text_[at_] != '"' && text_[at_] != '\'')) return false;
     const std::size_t end = text_.find(text_[at_], at_ + 1);
     if (end == std::string_view::npos) return false;
-    const auto value = resolved(text_.substr(at_ + 1, end - at_ - 1));
+    const auto value = resolved(text_.substr(at_ + 1, end - at_ - 1), own_);
     if (!value || !element.attributes.emplace(key, *value).second) return false;
     at_ = end + 1;
     return true;
@@ -148,6 +200,7 @@ class Parser {
   std::size_t at_ = 0;
   std::vector<XmlElement> out_;
   std::vector<std::string> open_;
+  std::set<std::string> own_;  // names that its DOCTYPE declares
   Message wrong_;
 };
 
@@ -156,8 +209,9 @@ class Parser {
 Result<std::vector<XmlElement>> parseXml(std::string_view text) {
   if (text.size() > kLargestJson)
     return badInput(say("The file is too large: at most {0} MB are read.", kLargestJson >> 20));
-  if (text.find('\0') != std::string_view::npos) return badInput(say("This file is not XML."));
-  return Parser(text).run();
+  const std::string unicode = xmlInUtf8(text);
+  if (unicode.find('\0') != std::string_view::npos) return badInput(say("This file is not XML."));
+  return Parser(unicode).run();
 }
 
 }  // namespace karinui

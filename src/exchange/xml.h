@@ -1,6 +1,7 @@
 #pragma once
-// The part of XML that drawings and measurement files use: elements with attributes, comments, plain character data. No
-// DOCTYPE (so no entities of a file's own), at most 64 levels, each name closed by its own.
+// The part of XML that drawings and measurement files use: elements with attributes, comments, character data, in any
+// encoding (code_pages.h). A DOCTYPE is passed over: nothing that it names is opened, and no entity of a file's own is
+// put in. At most 64 levels, each name closed by its own.
 #include <map>
 #include <string>
 #include <string_view>
