@@ -16,6 +16,7 @@ void wearMeasures(Session& session, const std::filesystem::path& file) {
   std::vector<Message> left;
   for (const auto& [key, value] : read->measures.value)
     if (!made.value.contains(key)) left.push_back(identifierSaid(key).value_or(say("{0}", key)));
+  for (const auto& unread : read->unread) left.push_back(say("{0}", unread.name));
   for (const std::string& name : read->unknown) left.push_back(say("{0}", name));
   constexpr std::size_t kMostNamed = 6;
   const std::size_t more = left.size() > kMostNamed ? left.size() - kMostNamed : 0;

@@ -30,6 +30,7 @@ Result<Measurements> readFigureMeasures(Program& program, const std::string& pat
   for (const auto& [key, value] : read->measures.value)
     if (!made.value.contains(key)) left.push_back(say("{0}", key));
   if (!left.empty()) program.console.note(say("Left out, as no mannequin can be made to it: {0}.", listSaid(left)));
+  for (const auto& unread : read->unread) program.console.note(unread.why);
   for (const std::string& name : read->unknown)
     program.console.note(say("“{0}” has no counterpart here and is left out.", name));
   return made;

@@ -45,6 +45,16 @@ Result<MeasuresRead> unlessEmpty(MeasuresRead read) {
   return read;
 }
 
+// A number with a comma for its point, as a person types it who writes in German or French.
+std::string withDecimalPoint(std::string value) {
+  const std::size_t comma = value.find(',');
+  const bool plain = comma != std::string::npos && comma + 1 < value.size() &&
+                     value.find_first_not_of("0123456789 ", 0) == comma &&
+                     value.find_first_not_of("0123456789 ", comma + 1) == std::string::npos;
+  if (plain) value[comma] = '.';
+  return value;
+}
+
 // --- Valentina, Seamly2D: every value is a formula of plain numbers in the file's unit.
 class ValentinaNames : public FormulaNames {
  public:
@@ -158,12 +168,18 @@ Result<MeasuresRead> readValentina(std::string_view bytes) {
     const std::string* name = element.find("name");
     const std::string* value = element.find("value");
     if (!value) value = element.find("base");  // of several sizes the base size
-    if (name && value) names.values[*name] = *value;
+    if (name && value) names.values[*name] = withDecimalPoint(*value);
   }
   if (names.values.size() > kMostEntries) return tooMany();
   for (const auto& [name, formula] : names.values) {
     const auto value = names.named(name);
     const bool number = value && value->dimension == kPlainNumber;
+    if (!number && !trimmed(formula).empty() && !measureKeyIn(&MeasureNames::valentina, name).empty()) {
+      const Message why = value ? say("it is no plain number") : value.error().what;
+      read.unread.push_back({shown(name), say("“{0}” is left out, since its value “{1}” cannot be worked out: {2}",
+                                              shown(name), shown(formula), why)});
+      continue;
+    }
     take(read, &MeasureNames::valentina, name, number ? value->value : 0, unit);
   }
   return unlessEmpty(std::move(read));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <numbers>
 #include <random>
 
@@ -64,7 +65,8 @@ TEST(MeasurementFiles, ValentinaWithFormulasAndUnits) {
   EXPECT_NEAR(of(read, "bust_girth"), 36 * 0.0254, 1e-12);
   EXPECT_NEAR(of(read, "waist_girth"), 27.5 * 0.0254, 1e-12);
   EXPECT_NEAR(of(read, "neck_base_girth"), 15 * 0.0254, 1e-12);  // their neck_circ lies at its base
-  EXPECT_THAT(read->unknown, Contains("hip_circ"));              // a name of its own in the formula
+  ASSERT_EQ(read->unread.size(), 1u);                            // a name of its own in the formula
+  EXPECT_THAT(text(read->unread[0].why), HasSubstr("“hip_circ” is left out, since its value"));
   EXPECT_THAT(read->unknown, Contains("height"));
   EXPECT_THAT(read->unknown, Contains("rise"));
   const auto sizes = readValentina(
@@ -76,7 +78,29 @@ TEST(MeasurementFiles, ValentinaWithFormulasAndUnits) {
       "<smis><unit>cm</unit><m name=\"bust_circ\" value=\"waist_circ\"/><m name=\"waist_circ\" value=\"bust_circ\"/>"
       "<m name=\"hip_circ\" value=\"97\"/></smis>");
   EXPECT_NEAR(of(circle, "hip_girth"), 0.97, 1e-12);
-  EXPECT_EQ(circle->unknown.size(), 2u);
+  EXPECT_EQ(circle->unread.size(), 2u);
+}
+
+// A measure that is known and cannot be read is not called one that is not known.
+TEST(MeasurementFiles, ValuesThatCannotBeReadAreToldWhy) {
+  const auto read = readValentina(
+      "<vit><unit>cm</unit><m name=\"bust_circ\" value=\"88,5\"/><m name=\"waist_circ\" value=\"27 1/2\"/>"
+      "<m name=\"hip_circ\" value=\"max(90,5)\"/></vit>");
+  EXPECT_NEAR(of(read, "bust_girth"), 0.885, 1e-12) << "a comma for the point";
+  EXPECT_TRUE(read->unknown.empty());
+  ASSERT_EQ(read->unread.size(), 1u);
+  EXPECT_THAT(text(read->unread[0].why), HasSubstr("“waist_circ” is left out, since its value “27 1/2” cannot"));
+  EXPECT_NEAR(of(read, "hip_girth"), 0.9, 1e-12);
+}
+
+// Notepad and PowerShell write UTF-16.
+TEST(MeasurementFiles, Utf16) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "karinui_utf16.measures";
+  std::string bytes = "\xFF\xFE";
+  for (const char c : std::string("bust_girth = 88cm\r\n")) bytes += {c, '\0'};
+  std::ofstream(file, std::ios::binary) << bytes;
+  EXPECT_NEAR(of(readMeasures(file), "bust_girth"), 0.88, 1e-12);
+  std::filesystem::remove(file);
 }
 
 TEST(MeasurementFiles, FreeSewingAndGarmentCode) {
@@ -108,7 +132,7 @@ TEST(MeasurementFiles, EveryNameOfTheTableIsOurs) {
 std::string refusal(const Result<MeasuresRead>& read) { return read ? "read" : text(read.error().what); }
 
 TEST(MeasurementFiles, StrangersFilesAreRefused) {
-  EXPECT_THAT(refusal(readValentina("<!DOCTYPE x [<!ENTITY a \"b\">]><vit/>")), HasSubstr("DOCTYPE"));
+  EXPECT_THAT(refusal(readValentina("<!DOCTYPE x [<!ENTITY a SYSTEM \"b\">]><vit/>")), HasSubstr("DOCTYPE"));
   EXPECT_THAT(refusal(readValentina("<svg></svg>")), HasSubstr("no measures"));
   EXPECT_THAT(refusal(readValentina("<vit><unit>ell</unit></vit>")), HasSubstr("“ell” is no unit"));
   EXPECT_THAT(refusal(readValentina("<vit><unit>cm</unit>")), HasSubstr("ends too early"));

@@ -16,6 +16,11 @@ namespace karinui {
 struct MeasuresRead {
   Measurements measures;             // metres and radians
   std::vector<std::string> unknown;  // names in the file that mean nothing here, or have no value
+  struct Unread {
+    std::string name;
+    Message why;
+  };
+  std::vector<Unread> unread;  // names that are known here, whose values cannot be worked out
 };
 
 // By the ending (formats.h); .json is FreeSewing's or GarmentCode's.
