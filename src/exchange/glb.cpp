@@ -266,12 +266,12 @@ class GlbWriter {
     const std::size_t first = materials_.size();
     materialOf_.emplace_back(&object, first);
     const bool wrong = object.look && object.look->wrong;
-    const std::string name = materialName(object);
+    const std::string name = materialNames_.give(materialName(object));
     if (const Done done = addMaterial(name, object.colour, object.look, tileOf(object), object.look && !wrong); !done)
       return done.error();
     if (wrong)
-      if (const Done done = addMaterial(name + "_wrong_side", object.look->wrong->colour, object.look,
-                                        object.look->wrong->tile, false);
+      if (const Done done = addMaterial(materialNames_.give(name + "_wrong_side"), object.look->wrong->colour,
+                                        object.look, object.look->wrong->tile, false);
           !done)
         return done.error();
     return first;
@@ -315,8 +315,10 @@ class GlbWriter {
     Json attributes;
     attributes["POSITION"] = buffer_.add(floats(side.points), 3, true);
     attributes["NORMAL"] = buffer_.add(floats(side.normals), 3, false);
-    if (object.flat)
+    if (object.flat) {
       attributes["TEXCOORD_0"] = buffer_.add(textureCoordinates(tile ? onTile(*tile, side.flat) : side.flat), 2, false);
+      if (tile) attributes["TEXCOORD_1"] = buffer_.add(textureCoordinates(side.flat), 2, false);  // the plain paper
+    }
     std::vector<std::uint32_t> indices;
     for (const Triangle& face : side.faces) indices.insert(indices.end(), face.begin(), face.end());
     return {
@@ -351,6 +353,7 @@ class GlbWriter {
   Json nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array();
   Json textures_ = Json::array(), images_ = Json::array();
   std::vector<std::pair<const NamedMesh*, std::size_t>> materialOf_;
+  DistinctNames materialNames_;
   bool sheen_ = false;
 };
 

@@ -256,6 +256,13 @@ TEST(Glb, CarriesPrintsAtTrueScaleAlongTheGrain) {
     EXPECT_NEAR(u, dot(paper, {0, -1}) / 0.2, 1e-5);
     EXPECT_NEAR(1 - v, dot(paper, {1, 0}) / 0.1, 1e-5) << "the tile's lowest row where the paper's repeat begins";
   }
+  // Where the paper is without the print, whose way and beginning the first coordinates have.
+  const auto plain = glb.values<float>(primitive["attributes"]["TEXCOORD_1"]);
+  for (std::size_t i = 0; i < g.pieces[0].flat.size(); ++i) {
+    EXPECT_NEAR(plain[2 * i], g.pieces[0].flat[i].u, 1e-6);
+    EXPECT_NEAR(1 - plain[2 * i + 1], g.pieces[0].flat[i].v, 1e-6);
+  }
+  EXPECT_FALSE(glb.json["meshes"][2]["primitives"][0]["attributes"].contains("TEXCOORD_1"));
   const auto& view = glb.json["bufferViews"][glb.json["images"][0]["bufferView"].get<std::size_t>()];
   EXPECT_EQ(glb.json["images"][0]["mimeType"], "image/png");
   EXPECT_GT(view["byteLength"].get<std::size_t>(), 40u);
@@ -266,6 +273,21 @@ TEST(Glb, CarriesPrintsAtTrueScaleAlongTheGrain) {
               glb.json["extensionsUsed"].end());
   g.pieces[0].look.tile->rgb.pop_back();
   EXPECT_FALSE(writeGlb(g)) << "a tile that is not whole";
+}
+
+// Two looks of one fabric are two materials, each with a name of its own, as in OBJ.
+TEST(Glb, MaterialsHaveNamesOfTheirOwn) {
+  SpatialGarment g = garment();
+  g.pieces[1].fabric = g.pieces[0].fabric;
+  g.pieces[0].look.wrong = SpatialLook::Wrong{{1, 0, 0}, {}};
+  g.pieces[1].look.wrong = SpatialLook::Wrong{{0, 1, 0}, {}};
+  const auto bytes = writeGlb(g);
+  ASSERT_TRUE(bytes);
+  const Glb glb(*bytes);
+  std::set<std::string> names;
+  for (const auto& material : glb.json["materials"])
+    EXPECT_TRUE(names.insert(material["name"].get<std::string>()).second) << material["name"];
+  EXPECT_EQ(names.size(), 6u) << "of the body, of two pieces both sides, and of the third";
 }
 
 // Cut edges are as thick as the cloth: a strip along each border, squarely away from the side that is seen.
@@ -334,7 +356,8 @@ TEST(Glb, GoesThroughItsKeyframes) {
   const Glb glb(*bytes);
   std::set<std::string> materials;
   for (const auto& material : glb.json["materials"]) materials.insert(material["name"].get<std::string>());
-  EXPECT_EQ(materials, (std::set<std::string>{"skin", "fabric_cotton", "fabric_cotton_wrong_side", "buttons"}))
+  EXPECT_EQ(materials,
+            (std::set<std::string>{"skin", "fabric_cotton", "fabric_cotton_2", "fabric_cotton_wrong_side", "buttons"}))
       << "each one word";
   ASSERT_EQ(glb.json["meshes"].size(), 6u);
   for (std::size_t m = 0; m < 6; ++m) {
