@@ -37,10 +37,18 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
     if (!figure) return figure.error();
     pattern = raisedTo(**figure, std::move(pattern)).pattern;
   }
-  notes = unknownFabricsSaid(pattern, document, read->fabrics);
+  notes = read->notes;
+  for (Message& unknown : unknownFabricsSaid(pattern, document, read->fabrics)) notes.push_back(std::move(unknown));
+  std::size_t performed = 0;
   for (Operation& operation :
-       stepsOf(pattern, document, read->grading, read->cutting, &documentWorker.file().blobs(), read->fabrics))
-    if (const auto step = documentWorker.perform(std::move(operation), token); !step) return step.error();
+       stepsOf(pattern, document, read->grading, read->cutting, &documentWorker.file().blobs(), read->fabrics)) {
+    if (const auto step = documentWorker.perform(std::move(operation), token); !step) {
+      for (; performed > 0; --performed)  // a pattern comes whole or not at all
+        if (const auto back = documentWorker.undo(Token()); !back) return back.error();
+      return step.error();
+    }
+    ++performed;
+  }
   return {};
 }
 

@@ -87,6 +87,43 @@ TEST_F(Drafts, ARefusedFirstStepLeavesNoFile) {
   EXPECT_TRUE(fs::exists(drafts() / "Draft today.karinui")) << "and the next one is kept";
 }
 
+// What was guessed of a pattern is said with it.
+TEST_F(Drafts, NotesOnAPatternAreSaid) {
+  ASSERT_TRUE(writeFile(folder_ / "front.svg", "<svg viewBox='0 0 900 900'><rect width='400' height='300'/></svg>"));
+  Session session(options());
+  session.importPattern(folder_ / "front.svg");
+  session.finish();
+  std::string said;
+  for (const Notice& notice : session.takeNotices()) said += text(notice.what) + "\n";
+  EXPECT_THAT(said, testing::HasSubstr("a unit was read as a pixel, 96 to the inch"));
+  EXPECT_EQ(session.snapshot().document.pattern.pieces.size(), 1u);
+}
+
+std::string polylineOf(const char* layer, double from, double to) {
+  std::string all = std::string("0\nPOLYLINE\n8\n") + layer + "\n66\n1\n70\n1\n";
+  for (const auto& [x, y] : {std::pair{from, from}, {to, from}, {to, to}, {from, to}})
+    all += "0\nVERTEX\n8\n1\n10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n";
+  return all + "0\nSEQEND\n";
+}
+// The second piece cannot be made: its hole lies beside it. The first one does not stay alone.
+TEST_F(Drafts, APatternComesWholeOrNotAtAll) {
+  const auto block = [](const std::string& name, const std::string& drawn) {
+    return "0\nBLOCK\n8\n0\n2\n" + name + "\n10\n0\n20\n0\n" + drawn + "0\nENDBLK\n";
+  };
+  const std::string dxf = "0\nSECTION\n2\nBLOCKS\n" + block("FRONT", polylineOf("1", 0, 400)) +
+                          block("BACK", polylineOf("1", 0, 400) + polylineOf("11", 500, 600)) +
+                          "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nTEXT\n8\n1\n1\nUnits: METRIC\n0\nENDSEC\n0\nEOF\n";
+  ASSERT_TRUE(writeFile(folder_ / "style.dxf", dxf));
+  Session session(options());
+  perform(session, kPiece);
+  const auto before = session.snapshot().document.pattern.pieces.size();
+  session.importPattern(folder_ / "style.dxf");
+  session.finish();
+  EXPECT_THAT(refused(session), testing::HasSubstr("not inside its outline"));
+  EXPECT_EQ(session.snapshot().document.pattern.pieces.size(), before);
+  EXPECT_EQ(session.steps().size(), 1u);
+}
+
 std::string objOf(const TriangleMesh& mesh) {
   std::string obj;
   for (const Vec3 p : mesh.points)
