@@ -383,10 +383,11 @@ class PythonDocument {
     return alone(work, progress);
   }
   // The steps that make the pattern of a file; none, where one of them cannot be done.
-  std::size_t readPattern(const std::filesystem::path& path, const std::string& size, const py::object& progress) {
+  std::size_t readPattern(const std::filesystem::path& path, const std::string& size, const py::object& progress,
+                          const std::string& unit) {
     const auto work = [&](DocumentFile& file, Context& context) -> Result<std::size_t> {
       notes_.clear();
-      auto drawn = readPatternSize(path, size);
+      auto drawn = readPatternSize(path, size, fileFormats(), {}, unit);
       if (!drawn) return drawn.error();
       for (const Message& note : drawn->notes) notes_.push_back(text(note));
       if (file.document().body.chosen()) {
@@ -728,11 +729,11 @@ PYBIND11_MODULE(karinui, m) {
           py::arg("overlap") = py::none(), py::arg("date") = "", py::arg("nest") = false,
           "writes a file; its ending says what; how many bytes. `format`: of .json and .dxf which, as karinui export. "
           "`poses`: a GLB is an animation through them. Of paper: `paper` (a4, letter, a3, a0, 36in, or sheet for one; "
-          "a "
-          "PDF is on a4 where it is not said), `allowance` and `overlap` in metres, `date`, `nest`")
+          "a PDF is on a4 where it is not said), `allowance` and `overlap` in metres, `date`, `nest`")
       .def("read_pattern", &D::readPattern, py::arg("path"), py::arg("size") = "", py::arg("progress") = py::none(),
+           py::arg("unit") = "",
            "does the steps that make the pattern of a file (.dxf, .svg, .json), of several sizes with `size` standing; "
-           "how many. What was found in the file is in `notes`")
+           "how many. `unit`: mm, cm, m, in or pt, where the file does not tell it. What was found is in `notes`")
       .def(
           "layout",
           [](D& d, double width, bool fold, double gap, bool nap, double stripes, double rows,

@@ -46,7 +46,7 @@ struct AmendOptions {
   std::size_t step = 0;
 };
 struct ImportOptions {
-  std::string file, body, size, rules, out, sew = "none";
+  std::string file, body, size, rules, unit, out, sew = "none";
   bool overwrite = false, list = false, ruleSteps = false, wrap = false;
 };
 
@@ -277,7 +277,8 @@ Result<Document> drawnUp(const CadPattern& read, Context& context) {
 
 // The pieces of a pattern file, its sizes, what was guessed, and (`sewing`) the seams that would be proposed.
 int runList(Program& program, const ImportOptions& options, bool sewing) {
-  auto read = readPatternSize(options.file, options.size, fileFormats(), {options.rules, options.ruleSteps});
+  auto read =
+      readPatternSize(options.file, options.size, fileFormats(), {options.rules, options.ruleSteps}, options.unit);
   if (!read) return program.console.refuse(read.error());
   Workers workers(program.threads);
   MemoryBlobs blobs;
@@ -290,7 +291,7 @@ int runList(Program& program, const ImportOptions& options, bool sewing) {
   std::string lines;
   const auto line = [&](const Message& what) { lines += program.console.said(what) + "\n"; };
   if (!read->style.empty()) line(say("Style: {0}", read->style));
-  if (!read->sizes.empty()) {
+  if (!read->size.empty()) {
     std::string sizes;
     for (const std::string& size : read->sizes) sizes += (sizes.empty() ? "" : ", ") + size;
     line(say("Sizes: {0}; read: {1}", sizes, read->size));
@@ -358,7 +359,7 @@ int runImport(Program& program, const ImportOptions& options) {
     std::optional<CadPattern> drawn;
     if (content == FileContent::Pattern) {
       Result<CadPattern> read =
-          readPatternSize(options.file, options.size, fileFormats(), {options.rules, options.ruleSteps});
+          readPatternSize(options.file, options.size, fileFormats(), {options.rules, options.ruleSteps}, options.unit);
       if (!read) return read.error();
       for (const Message& note : read->notes) program.console.note(note);
       drawn = *std::move(read);
@@ -503,6 +504,9 @@ void addDocumentVerbs(Program& program) {
                    help("Grade rules (RUL) for the numbered points of a DXF; else those beside it"));
   verb->add_flag("--rule-steps", import->ruleSteps,
                  help("The rules say how far a point goes from each size to the next, not from the sample size"));
+  verb->add_option(
+      "--unit", import->unit,
+      help("What a unit of a DXF or SVG is, where the file does not tell it or is wrong: mm, cm, m, in, pt"));
   verb->add_option("--body", import->body, help("A body file or built-in size to put the pattern on"));
   verb->add_flag("--wrap", import->wrap, help("Close a scan's holes first"));
   verb->add_flag("--overwrite", import->overwrite, help("Replace a document that is there already"));

@@ -34,7 +34,8 @@ Result<std::string> writeExact(const ExportSource& source) {
   return writePatternJson(source.pattern, *allowances ? &**allowances : nullptr, source.sheet.fabrics);
 }
 
-Result<CadPattern> readExact(std::string_view bytes, std::string_view size) {
+Result<CadPattern> readExact(std::string_view bytes, std::string_view size, double unit) {
+  if (unit > 0) return badInput(unitIsTold());
   if (!size.empty()) return badInput(say("Such a file holds one size only."));
   CadPattern read;
   auto pattern = readPatternJson(bytes, &read.cutting.allowances, &read.fabrics);

@@ -122,6 +122,175 @@ TEST(Drawing, CurvesAreKeptAsTheyAre) {
             2u);
 }
 
+// The definition that it names is not opened, and what it declares is not put in.
+TEST(Drawing, ADoctypeIsPassedOver) {
+  const std::string head = "<?xml version='1.0'?>\n";
+  const std::string box =
+      " width='200mm' height='100mm' viewBox='0 0 200 100'><rect id='front' width='100' height='60'/></svg>";
+  const CadPattern corel = svgDrawing(
+      head +
+      "<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd\">\n<svg" +
+      box);
+  EXPECT_NEAR(onlyDrawn(corel).outline.area(), 0.006, 1e-9);
+  const CadPattern entities = svgDrawing(head +
+                                         "<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"svg11.dtd\" [\n\t<!ENTITY "
+                                         "ns_extend \"http://ns.adobe.com/Extensibility/1.0/\">\n]>\n"
+                                         "<svg xmlns:x='&ns_extend;'" +
+                                         box);
+  EXPECT_NEAR(onlyDrawn(entities).outline.area(), 0.006, 1e-9);
+  EXPECT_THAT(refusal("<svg xmlns:x='&ns_extend;'" + box), HasSubstr("damaged"));
+}
+
+TEST(Drawing, LettersOfAnyEncoding) {
+  const auto named = [](const std::string& declared, const std::string& name) {
+    return onlyDrawn(svgDrawing("<?xml version='1.0'" + (declared.empty() ? "" : " encoding='" + declared + "'") +
+                                "?><svg width='200mm' height='100mm' viewBox='0 0 200 100'><g id='" + name +
+                                "'><rect width='100' height='60'/></g></svg>"))
+        .name;
+  };
+  EXPECT_EQ(named("Shift_JIS", "\x91\x4F\x90\x67\x8D\xA0"), "前身頃");
+  EXPECT_EQ(named("", "\x91\x4F\x90\x67\x8D\xA0"), "前身頃");
+  EXPECT_EQ(named("ISO-8859-1",
+                  "R\xFC"
+                  "cken"),
+            "Rücken");
+  EXPECT_EQ(named("UTF-8",
+                  "R\xFC"
+                  "cken"),
+            "Rücken")
+      << "which it is not";
+  EXPECT_EQ(named("UTF-8", "前身頃"), "前身頃");
+  EXPECT_EQ(named("../../made_up", "Rücken"), "Rücken");
+  std::string wide = "\xFF\xFE";
+  for (const char c : svg("width='200mm' height='100mm' viewBox='0 0 200 100'", "<rect width='100' height='60'/>"))
+    wide += {c, '\0'};
+  EXPECT_NEAR(onlyDrawn(svgDrawing(wide)).outline.area(), 0.006, 1e-9);
+}
+
+// 283.4646 points are 100 mm, 170.0787 are 60.
+TEST(Drawing, Illustrator) {
+  const std::string mark =
+      "<!-- Generator: Adobe Illustrator 27.5.0, SVG Export Plug-In . SVG Version: 6.00 Build 0)  -->\n";
+  const std::string box = "<g id='_x524D__x8EAB__1_'><rect width='283.4646' height='170.0787'/></g>";
+  for (const std::string& drawn : {mark + svg("x='0px' y='0px' viewBox='0 0 900 900'", box),
+                                   mark + svg("width='900px' height='900px' viewBox='0 0 900 900'", box),
+                                   svg("id='Layer_1' data-name='Layer 1' viewBox='0 0 900 900'", box)}) {
+    const CadPattern drawing = svgDrawing(drawn);
+    EXPECT_NEAR(onlyDrawn(drawing).outline.area(), 0.006, 1e-7) << drawn;
+    EXPECT_EQ(onlyDrawn(drawing).name, "前身");
+    ASSERT_EQ(drawing.notes.size(), 1u);
+    EXPECT_THAT(text(drawing.notes[0]), HasSubstr("72 to the inch"));
+  }
+  const CadPattern told = svgDrawing(mark + svg("width='900pt' height='900pt' viewBox='0 0 900 900'", box));
+  EXPECT_NEAR(onlyDrawn(told).outline.area(), 0.006, 1e-7);
+  EXPECT_TRUE(told.notes.empty());
+  // Old Inkscape: 354.3307 and 212.5984 of 90 to the inch.
+  const std::string old = "<rect width='354.3307' height='212.5984'/>";
+  EXPECT_NEAR(
+      onlyDrawn(svgDrawing(svg("inkscape:version='0.48.4 r9939' width='900' height='900'", old))).outline.area(), 0.006,
+      1e-7);
+  EXPECT_NEAR(onlyDrawn(svgDrawing(svg("inkscape:version='1.2' width='900' height='900'",
+                                       "<rect width='377.9528' height='226.7717'/>")))
+                  .outline.area(),
+              0.006, 1e-7);
+}
+
+TEST(Drawing, AUnitThatIsSaidGoesBeforeWhatTheDrawingTells) {
+  const std::string box = "<rect width='100' height='60'/>";
+  for (const std::string head : {"viewBox='0 0 500 700'", "width='100%' height='100%' viewBox='0 0 500 700'", "",
+                                 "width='1mm' height='1mm' viewBox='0 0 5 7'"}) {
+    const auto drawing = readDrawing(svg(head, box), {}, 0.001);
+    ASSERT_TRUE(drawing);
+    EXPECT_NEAR(onlyDrawn(*drawing).outline.area(), 0.006, 1e-9) << head;
+    EXPECT_TRUE(drawing->notes.empty()) << head;
+  }
+}
+
+TEST(Drawing, HiddenByARuleOfStyle) {
+  const std::string style =
+      "<style type='text/css'>/* .a{display:none} */ @media print{.a{display:none}} .st0, .st1 { fill:none; display : "
+      "none !important }</style>";
+  const CadPattern drawing = svgDrawing(svg(
+      "width='500mm' height='500mm' viewBox='0 0 500 500'",
+      style +
+          "<g class='st0'><rect id='old' width='300' height='300'/></g><rect class='a st1' width='200' height='200'/>"
+          "<rect id='front' class='a' width='100' height='60'/><rect id='back' y='100' class='st1' "
+          "style='display:inline' width='100' height='60'/>"));
+  EXPECT_EQ(drawing.pattern.pieces.size(), 2u);
+  const CadPattern data = svgDrawing(svg("width='500mm' height='500mm' viewBox='0 0 500 500'",
+                                         "<style><![CDATA[.st0{display:none;}]]></style><rect class='st0' width='300' "
+                                         "height='300'/><rect id='front' width='100' height='60'/>"));
+  EXPECT_EQ(onlyDrawn(data).name, "front");
+}
+
+TEST(Drawing, ClonesAreDrawn) {
+  const std::string head = "width='500mm' height='500mm' viewBox='0 0 500 500'";
+  const CadPattern twice = svgDrawing(svg(
+      head, "<path id='front' d='M0 0h100v60h-60z'/><use xlink:href='#front' transform='matrix(-1 0 0 1 300 0)'/>"));
+  ASSERT_EQ(twice.pattern.pieces.size(), 2u);
+  const Outline &own = twice.pattern.pieces.begin()->second->outline,
+                &image = twice.pattern.pieces.rbegin()->second->outline;
+  EXPECT_NEAR(own.area(), image.area(), 1e-12);
+  // A symbol, fitted into the size that is asked for; within another drawing.
+  const std::string symbol = "<symbol id='pocket' viewBox='0 0 10 10'><rect width='10' height='6'/></symbol>";
+  const CadPattern placed = svgDrawing(svg(head, symbol + "<use href='#pocket' x='20' width='100' height='100'/>"));
+  EXPECT_NEAR(onlyDrawn(placed).outline.area(), 0.006, 1e-9);
+  EXPECT_EQ(onlyDrawn(placed).name, "pocket");
+  EXPECT_NEAR(
+      onlyDrawn(
+          svgDrawing(
+              svg(head,
+                  "<svg x='5' y='5' width='200' height='300' viewBox='0 0 20 30'><rect width='10' height='6'/></svg>")))
+          .outline.area(),
+      0.006, 1e-9);
+  const CadPattern missing =
+      svgDrawing(svg(head, "<rect width='100' height='60'/><use href='#gone'/><use href='other.svg#front'/>"));
+  EXPECT_EQ(missing.pattern.pieces.size(), 1u);
+  ASSERT_EQ(missing.notes.size(), 2u);
+  EXPECT_THAT(text(missing.notes[0]), HasSubstr("“#gone”"));
+  // Clones of clones end.
+  EXPECT_EQ(
+      svgDrawing(
+          svg(head, "<rect width='100' height='60'/><g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>"))
+          .pattern.pieces.size(),
+      1u);
+  std::string many = "<rect id='c0' width='100' height='60'/>";
+  for (int k = 1; k < 40; ++k) {
+    const std::string before = std::to_string(k - 1);
+    many += "<g id='c" + std::to_string(k) + "'><use href='#c" + before + "'/><use href='#c" + before + "'/></g>";
+  }
+  EXPECT_FALSE(readDrawing(svg(head, many)));
+}
+
+TEST(Drawing, SlipsOfTheHandAreClosedAndTold) {
+  const std::string head = "width='500mm' height='700mm' viewBox='0 0 500 700'";
+  // Drawn past each other and short of each other by 2 mm.
+  const CadPattern lines = svgDrawing(
+      svg(head,
+          "<g id='bag'><path d='M8 10H410'/><path d='M410 12V612'/><path d='M410 610H10'/><path d='M10 608V10'/></g>"));
+  EXPECT_NEAR(onlyDrawn(lines).outline.area(), 0.24, 1e-9);
+  EXPECT_EQ(onlyDrawn(lines).outline.edges.size(), 4u);
+  ASSERT_EQ(lines.notes.size(), 1u);
+  EXPECT_THAT(text(lines.notes[0]), HasSubstr("1 outline was open by up to 2.0 mm"));
+  const CadPattern path = svgDrawing(svg(head, "<path id='bag' d='M10 10H410V610H10V13'/>"));
+  EXPECT_NEAR(onlyDrawn(path).outline.area(), 0.24, 1e-9);
+  EXPECT_THAT(text(path.notes.at(0)), HasSubstr("3.0 mm"));
+  // What is open by more is named, beside pieces and alone.
+  const std::string open = "<path id='back' d='M10 10H210V310H10'/>";
+  EXPECT_THAT(refusal(svg(head, open)), HasSubstr("“back” (the first by 300.0 mm)"));
+  const CadPattern beside = svgDrawing(svg(head, open + "<rect id='front' x='250' width='200' height='300'/>"));
+  EXPECT_EQ(onlyDrawn(beside).name, "front");
+  ASSERT_EQ(beside.notes.size(), 1u);
+  EXPECT_THAT(text(beside.notes[0]), HasSubstr("“back”"));
+  // A line within a piece is one of its lines.
+  const CadPattern within =
+      svgDrawing(svg(head, "<rect id='front' width='300' height='400'/><path d='M50 50H250V250H50'/>"));
+  EXPECT_TRUE(within.notes.empty());
+  EXPECT_EQ(onlyDrawn(within).lines.size(), 1u);
+  EXPECT_THAT(refusal(svg(head, "<path id='front' d='M10 10h400vfoo h-400z'/>")),
+              HasSubstr("cannot be read and was left out: front"));
+}
+
 TEST(Drawing, FreeSewing) {
   const CadPattern drawing = svgDrawing(own("freesewing.svg"));
   const Piece& front = onlyDrawn(drawing);
@@ -164,7 +333,10 @@ TEST(Drawing, OpenLinesWhoseEndsMeetAreOnePiece) {
 }
 
 TEST(Drawing, WhatIsNoPatternIsRefusedWithASentence) {
-  EXPECT_THAT(refusal(own("doctype.svg")), HasSubstr("DOCTYPE"));
+  const std::string line = "<svg><path d='M0 0h99v99z'/></svg>";
+  EXPECT_THAT(refusal("<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/hostname'>]>" + line), HasSubstr("DOCTYPE"));
+  EXPECT_THAT(refusal("<!DOCTYPE svg [<!ENTITY % a 'b'>]>" + line), HasSubstr("DOCTYPE"));
+  EXPECT_THAT(refusal("<!DOCTYPE svg [<!ENTITY a 'b'><!ENTITY c '&a;&a;'>]>" + line), HasSubstr("DOCTYPE"));
   EXPECT_THAT(refusal(own("open.svg")), HasSubstr("closed"));
   EXPECT_THAT(refusal("<html></html>"), HasSubstr("no SVG"));
   EXPECT_THAT(refusal(""), HasSubstr("not XML"));

@@ -231,6 +231,98 @@ TEST(DxfHabits, NamesOfAnyCodePage) {
   EXPECT_EQ(only(guessed).name, "前身頃");
   EXPECT_THAT(told(guessed), HasSubstr("code page"));
   EXPECT_EQ(only(named("\xD0\xE4\xD7\xD3", "")).name, "袖子");
+  for (const auto& [bytes, name] : {std::pair<std::string, std::string>{"R\xFC"
+                                                                        "cken",
+                                                                        "Rücken"},
+                                    {"\xC4rmel", "Ärmel"},
+                                    {"Gr\xF6\xDF"
+                                     "e",
+                                     "Größe"},
+                                    {"Devant c\xF4t\xE9", "Devant_côté"},
+                                    {"Espa\xF1"
+                                     "a",
+                                     "España"}})
+    EXPECT_EQ(only(named(bytes, "")).name, name);
+  EXPECT_EQ(only(named("\xBA\xF3\xC6\xAC"
+                       "A",
+                       ""))
+                .name,
+            "后片A");
+}
+
+TEST(DxfHabits, AUnitThatIsSaidGoesBeforeWhatTheFileTells) {
+  const auto read = readCadPattern(cadPanel(), {}, 0.01);
+  ASSERT_TRUE(read);
+  EXPECT_NEAR(only(*read).outline.area(), 100 * kPanelArea, 1e-7);
+  EXPECT_EQ(told(*read), "");
+}
+
+// The outline stands in a block of its own, its words beside where that is inserted.
+TEST(DxfHabits, WordsBesideAnInsertedOutline) {
+  Made made;
+  made.block("LINES").line(1, kPanel, true).endBlock();
+  made.block("FRONT_38").says("Piece Name: FRONT").says("Size: 38").says("Quantity: 2");
+  const auto read = readHabit(made.add("0\nINSERT\n8\n1\n2\nLINES\n10\n5\n20\n5\n").endBlock().done());
+  EXPECT_EQ(only(read).name, "FRONT");
+  EXPECT_THAT(read.sizes, ElementsAre("38"));
+  ASSERT_THAT(read.rows, SizeIs(1));
+  EXPECT_EQ(read.rows[0].quantity, 2);
+  EXPECT_EQ(told(read), "");
+}
+
+TEST(DxfHabits, ABlockWithoutAnOutlineIsTold) {
+  Made made;
+  made.block("FRONT_38").says("Piece Name: FRONT").says("Size: 38").line(1, kPanel, true).endBlock();
+  made.block("BELT_38").says("Piece Name: BELT").says("Size: 38");
+  const auto read = readHabit(made.endBlock().done());
+  EXPECT_THAT(read.pattern.pieces, SizeIs(1));
+  EXPECT_THAT(told(read), HasSubstr("Piece “BELT” has no outline and was left out."));
+}
+
+// What is drawn in a program that knows nothing of the trade.
+TEST(DxfHabits, PlainDrawings) {
+  const auto line = [](const std::string& layer, Flat a, Flat b) {
+    return "0\nLINE\n8\n" + layer + "\n" + pairs({{10, a.u}, {20, a.v}, {11, b.u}, {21, b.v}});
+  };
+  // Four lines whose ends miss each other by 0.02 mm, as a hand draws them with snapping off.
+  const auto box = [&](const std::string& layer, double u, double v, double wide, double high) {
+    return line(layer, {u, v}, {u + wide, v}) + line(layer, {u + wide, v + 0.02}, {u + wide, v + high}) +
+           line(layer, {u, v + high}, {u + wide - 0.02, v + high}) + line(layer, {u, v}, {u, v + high});
+  };
+  const auto lettering = [](const std::string& words, Flat at) {
+    return "0\nTEXT\n8\n0\n" + pairs({{10, at.u}, {20, at.v}, {40, 10}}) + "1\n" + words + "\n";
+  };
+  const auto file = [](const std::string& drawn) {
+    return "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + drawn +
+           "0\nENDSEC\n0\nEOF\n";
+  };
+  const auto all =
+      readHabit(file(box("0", -20, -20, 1000, 700) + box("0", 0, 0, 300, 400) + box("0", 10, 10, 280, 380) +
+                     box("0", 100, 100, 80, 90) + line("0", {50, 50}, {50, 300}) + lettering("Front", {150, 50}) +
+                     box("0", 400, 0, 200, 500) + lettering("Rear", {450, 50})));
+  ASSERT_THAT(all.pattern.pieces, SizeIs(2)) << "the frame is none";
+  EXPECT_THAT(told(all), HasSubstr("not those of AAMA and ASTM"));
+  for (const auto& [id, piece] : all.pattern.pieces) {
+    const bool front = piece->name == "Front";
+    EXPECT_TRUE(front || piece->name == "Rear") << piece->name;
+    EXPECT_NEAR(piece->outline.area(), front ? 0.28 * 0.38 : 0.1, 2e-5) << "the seam line";
+    EXPECT_THAT(piece->holes, SizeIs(0));
+    EXPECT_EQ(piece->lines.size(), front ? 2u : 0u);
+  }
+  const auto named =
+      readHabit(file(box("Cutting line", 0, 0, 300, 400) + box("Seam line", 10, 10, 280, 380) +
+                     line("Grain line", {100, 200}, {200, 200}) + line("Dimensions", {-50, 0}, {-50, 400})));
+  EXPECT_NEAR(only(named).outline.area(), 0.28 * 0.38, 2e-5);
+  EXPECT_NEAR(only(named).grain.u, 1, 1e-9);
+  EXPECT_THAT(only(named).lines, SizeIs(0));
+  const auto byLayer = readHabit(file(box("Sleeve", 0, 0, 300, 400) + box("Cuff", 400, 0, 200, 80)));
+  ASSERT_THAT(byLayer.pattern.pieces, SizeIs(2));
+  EXPECT_EQ(only(byLayer, 0).name, "Sleeve");
+  EXPECT_EQ(only(byLayer, 1).name, "Cuff");
+  EXPECT_THAT(why(file(line("0", {0, 0}, {300, 0}) + line("0", {300, 0}, {300, 400}))),
+              HasSubstr("It has lines on: 0"));
+  // On layer 1, too, outlines of single lines are told apart.
+  EXPECT_THAT(readHabit(file(box("1", 0, 0, 300, 400) + box("1", 400, 0, 200, 500))).pattern.pieces, SizeIs(2));
 }
 
 TEST(DxfHabits, HalvesThatLeaveTheFoldToItsLayer) {

@@ -91,7 +91,7 @@ TEST(PatternJson, AllowancesGoThroughAnImport) {
   const PieceId first = once.pieces.begin()->first;
   own.edges[{first, "side_0"}] = 0.025, own.edges[{first, "hole_a"}] = 0.003;
   const AllowancePlan plan(once, own);
-  const auto read = fileFormat("karinui").readSize(writePatternJson(once, &plan), {});
+  const auto read = fileFormat("karinui").readSize(writePatternJson(once, &plan), {}, 0);
   ASSERT_TRUE(read);
   Workers workers(1);
   MemoryBlobs blobs;
@@ -223,7 +223,7 @@ TEST(PatternJson, PiecesStandAsTheFileSays) {
     bent.frozen = id == once.pieces.begin()->first;
     piece = std::make_shared<const Piece>(bent);
   }
-  const auto read = fileFormat("karinui").readSize(writePatternJson(once), {});
+  const auto read = fileFormat("karinui").readSize(writePatternJson(once), {}, 0);
   ASSERT_TRUE(read);
   Workers workers(1);
   MemoryBlobs blobs, others;

@@ -25,7 +25,7 @@ Result<Pattern> there(const Way& way, const Pattern& pattern) {
   if (!bytes) return bytes.error();
   const FileFormat& reader = fileFormat(std::string_view(way.format).starts_with("dxf") ? "dxf-aama" : way.format);
   if (reader.readPattern) return reader.readPattern(*bytes);
-  auto read = reader.readSize(*bytes, {});
+  auto read = reader.readSize(*bytes, {}, 0);
   if (!read) return read.error();
   return std::move(read->pattern);
 }

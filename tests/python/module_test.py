@@ -162,6 +162,16 @@ class Documents(unittest.TestCase):
                     call()
                 self.assertIn(words, str(raised.exception))
                 self.assertEqual(coat.hash, before)
+        drawing = self.folder / "units.svg"
+        drawing.write_text('<svg viewBox="0 0 900 900"><rect width="500" height="400"/></svg>', encoding="utf-16")
+        with karinui.Document.create() as read:
+            with self.assertRaisesRegex(karinui.Error, "mm, cm, m, in, pt"):
+                read.read_pattern(drawing, unit="ell")
+            read.read_pattern(drawing, unit="mm")
+            self.assertEqual([round(p.area, 6) for p in read.pieces()], [0.2])
+        (self.folder / "bytes.dxf").write_bytes(b"\xff\xfc0\nSECTION\n")
+        with karinui.Document.create() as read, self.assertRaisesRegex(karinui.Error, "no DXF text"):
+            read.read_pattern(self.folder / "bytes.dxf")
         for file in ("coat.svg", "coat.dxf"):
             with karinui.Document.create() as read:
                 self.assertEqual(read.read_pattern(self.folder / file), read.operations)

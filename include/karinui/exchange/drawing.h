@@ -10,7 +10,8 @@ namespace karinui {
 
 // Flat pieces, seam lines where the drawing has cut lines as well, grain lines, notches and inner lines where it names
 // them; what was guessed or left out is in `notes`. Such a file holds no sizes and no seams. Refused: what is no
-// drawing, a DOCTYPE (so no outside references), and a drawing without a closed line.
-Result<CadPattern> readDrawing(std::string_view svg, std::string_view size = {});
+// drawing, a DOCTYPE with declarations of its own, and a drawing without a closed line. `unit`: metres of a unit of the
+// drawing, whatever it tells itself; 0: as it tells.
+Result<CadPattern> readDrawing(std::string_view svg, std::string_view size = {}, double unit = 0);
 
 }  // namespace karinui

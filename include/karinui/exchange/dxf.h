@@ -38,8 +38,8 @@ struct CadPattern {
 
 // One size of the style, by its name in the file; empty: the sample size, which has the most told of it; and what the
 // others differ from it by. Half pieces are unfolded on their fold line. Refused: what is no such file, and a size it
-// does not have.
-Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size = {});
+// does not have. `unit`: metres of a unit of the file, whatever it tells itself; 0: as it tells.
+Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size = {}, double unit = 0);
 
 enum class DxfDialect { Aama, Astm };
 // Every piece whole, in every size of the grading (settings), each a block of its own; the base size's points name

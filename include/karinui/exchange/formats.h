@@ -43,7 +43,8 @@ struct ExportSource {
 // Writes an export with what stands beside it. The file itself comes last.
 Done writeExport(const std::filesystem::path& file, std::string_view bytes, const std::vector<SideFile>& beside);
 
-struct CadPattern;  // exchange/dxf.h
+struct CadPattern;     // exchange/dxf.h
+Message unitIsTold();  // the refusal of a unit for a file that always tells its own
 
 struct FileFormat {
   std::string_view id;                    // of one row only: "garmentcode"
@@ -57,8 +58,9 @@ struct FileFormat {
   Result<Pattern> (*readPattern)(std::string_view bytes) = nullptr;
   bool (*recognises)(std::string_view bytes) = nullptr;
   // In place of readPattern, of files that hold more than a pattern: sizes, of which one is read, or the sample size
-  // (empty); how often pieces are cut; seam allowances.
-  Result<CadPattern> (*readSize)(std::string_view bytes, std::string_view size) = nullptr;
+  // (empty); how often pieces are cut; seam allowances. `unit`: metres of a unit of the file where somebody said it, 0:
+  // as the file tells.
+  Result<CadPattern> (*readSize)(std::string_view bytes, std::string_view size, double unit) = nullptr;
   // The bytes of the file. Null where another module writes it: documents and pictures.
   Result<std::string> (*write)(const ExportSource& source) = nullptr;
   // Of measures. JSON of measures is no row of its own: readMeasures() takes it where measures are asked for.

@@ -12,9 +12,11 @@ struct RulesFile {
 };
 // BadInput, with a sentence that lists what can be read, where the ending is no pattern's. Of a style in several sizes
 // the named one, or the sample size (empty); of a file that holds no sizes only `pattern` is told, and a size is
-// refused.
+// refused. `unit`: what a unit of a DXF file or a drawing is, whatever it tells itself: mm, cm, m, in, pt; empty: as it
+// tells. Other files always tell it, and refuse one.
 Result<CadPattern> readPatternSize(const std::filesystem::path& file, std::string_view size,
-                                   FormatTable table = fileFormats(), const RulesFile& rules = {});
+                                   FormatTable table = fileFormats(), const RulesFile& rules = {},
+                                   std::string_view unit = {});
 Result<Pattern> readPattern(const std::filesystem::path& file, FormatTable table = fileFormats());
 
 }  // namespace karinui

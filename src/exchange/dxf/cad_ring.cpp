@@ -10,7 +10,6 @@ namespace karinui {
 
 namespace {
 
-constexpr double kGap = 5e-4;                      // between the ends of lines that are one outline
 constexpr double kOnFold = 2e-4;                   // of the fold line
 constexpr double kBend = std::numbers::pi / 6;     // of chords, where the file does not say what is a corner
 constexpr std::size_t kMostLines = 5000;           // chaining compares all with all …
@@ -30,7 +29,7 @@ double bendAt(const std::vector<Flat>& ring, std::size_t i) {
 
 }  // namespace
 
-std::vector<CadLoop> loopsOf(const std::vector<CadLine>& lines, Flat& gap) {
+std::vector<CadLoop> loopsOf(const std::vector<CadLine>& lines, Flat& gap, double meet) {
   std::vector<CadLoop> all;
   std::vector<char> used(lines.size(), 0);
   const auto add = [&](CadLoop loop) {
@@ -42,7 +41,7 @@ std::vector<CadLoop> loopsOf(const std::vector<CadLine>& lines, Flat& gap) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto& points = lines[i].points;
     if (points.empty()) used[i] = 1;
-    if (lines[i].closed || (points.size() > 3 && distance(points.front(), points.back()) < kGap))
+    if (lines[i].closed || (points.size() > 3 && distance(points.front(), points.back()) < meet))
       used[i] = 1, add({points, {i}});
   }
   std::size_t compared = 0;
@@ -51,12 +50,12 @@ std::vector<CadLoop> loopsOf(const std::vector<CadLine>& lines, Flat& gap) {
     CadLoop loop{lines[first].points, {first}};
     used[first] = 1;
     const auto closed = [&] {
-      return loop.points.size() > 3 && distance(loop.points.front(), loop.points.back()) <= kGap;
+      return loop.points.size() > 3 && distance(loop.points.front(), loop.points.back()) <= meet;
     };
     while (loop.lines.size() == 1 || !closed()) {
       std::size_t best = lines.size();
       bool turned = false;
-      double nearest = kGap;
+      double nearest = meet;
       for (std::size_t i = 0; i < lines.size() && ++compared < kMostCompared; ++i) {
         if (used[i]) continue;
         for (const bool back : {false, true}) {

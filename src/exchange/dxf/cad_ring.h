@@ -39,8 +39,8 @@ struct CadLoop {
   std::vector<Flat> points;        // counter-clockwise, no two neighbours in one place
   std::vector<std::size_t> lines;  // that it is made of
 };
-// `gap`: where lines that do not close leave off.
-std::vector<CadLoop> loopsOf(const std::vector<CadLine>& lines, Flat& gap);
+// `gap`: where lines that do not close leave off. `meet`: how far apart ends may lie that are one place.
+std::vector<CadLoop> loopsOf(const std::vector<CadLine>& lines, Flat& gap, double meet = 5e-4);
 // The largest of them. Nothing: they leave a gap, which lies at `gap`.
 std::optional<std::vector<Flat>> chained(const std::vector<CadLine>& lines, Flat& gap);
 

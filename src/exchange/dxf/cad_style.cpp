@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "cad_plain.h"
 #include "cad_ring.h"
 #include "dxf_shapes.h"
 #include "dxf_text.h"
@@ -23,10 +24,12 @@ constexpr std::size_t kMostPieces = 5000;
 constexpr std::size_t kMostParts = 200;  // pieces in one block
 // The largest piece of a garment is longer than this, in metres, and a shorter one is in another unit than was thought.
 constexpr double kSmallestStyle = 0.2;
-constexpr double kCloGrain = 0.180;  // metres: CLO draws all its grain lines as long as this
-constexpr double kFar = 10;          // metres from the paper's origin, where numbers begin to lose their places
-constexpr double kSymbol = 1e-3;     // of the largest outline's area: what is smaller beside it is no piece
-constexpr double kHole = 0.5;        // of the outline's area: a line within it that is smaller is a cut-out
+constexpr double kSmallestPiece = 0.08;  // no garment’s largest piece is shorter: its file is in metres
+constexpr std::size_t kMostEmpty = 20;   // notes of blocks without an outline
+constexpr double kCloGrain = 0.180;      // metres: CLO draws all its grain lines as long as this
+constexpr double kFar = 10;              // metres from the paper's origin, where numbers begin to lose their places
+constexpr double kSymbol = 1e-3;         // of the largest outline's area: what is smaller beside it is no piece
+constexpr double kHole = 0.5;            // of the outline's area: a line within it that is smaller is a cut-out
 
 // The value of a system text: "SIZE" of "Size: 38" is "38". Nothing: it is another text. Writers differ in case, and
 // some put a blank before the colon or one of full width.
@@ -189,7 +192,7 @@ Parts partsOf(std::vector<DxfShape> shapes) {
     if (shapes[i].kind == DxfShape::Kind::Line && shapes[i].layer == 1)
       lines.push_back({shapes[i].points, shapes[i].closed}), of.push_back(i);
   Flat gap;
-  std::vector<CadLoop> loops = lines.size() < 2 ? std::vector<CadLoop>() : loopsOf(lines, gap);
+  std::vector<CadLoop> loops = lines.size() < 2 ? std::vector<CadLoop>() : loopsOf(lines, gap, slipOf(shapes));
   std::stable_sort(loops.begin(), loops.end(),
                    [](const CadLoop& a, const CadLoop& b) { return signedArea(a.points) > signedArea(b.points); });
   Parts parts;
@@ -267,7 +270,8 @@ double unitOf(const CadStyle& style, std::string told, int code, bool& sure) {
     unit = code == 1 ? kInch : code == 5 ? kCentimetre : code == 6 ? 1 : kMillimetre, sure = true;
   if (size * unit >= kSmallestStyle) return unit;
   sure = false;
-  return metric ? kCentimetre : kInch;
+  const double guess = metric ? kCentimetre : kInch;
+  return size * guess >= kSmallestPiece ? guess : 1;
 }
 
 template <class Change>
@@ -370,9 +374,32 @@ std::set<std::string_view> blocksOfPieces(const DxfFile& file) {
   return pieces;
 }
 
+// A drawing on layers of its own, as programs that know nothing of the trade write it.
+Done takePlain(const DxfFile& file, const DxfWords& words, CadStyle& style) {
+  auto shapes = shapesOf(file, file.entities, {}, {});
+  if (!shapes) return shapes.error();
+  putOnLayers(*shapes);
+  Parts parts = partsOf(*std::move(shapes));
+  for (std::size_t k = 0; k < parts.shapes.size(); ++k) {
+    std::vector<DxfShape>& own = parts.shapes[k];
+    tellInnerLines(own);
+    CadPiece piece = pieceOf(own, words);
+    if (piece.boundary.empty()) continue;
+    if (piece.name.empty()) piece.name = plainNameOf(own, words);
+    piece.block = parts.shapes.size() > 1 ? "piece-" + std::to_string(k + 1) : "piece";
+    style.pieces.push_back(std::move(piece));
+  }
+  if (style.pieces.empty()) return {};
+  style.notes.clear();
+  style.notes.push_back(
+      say("The file’s layers are not those of AAMA and ASTM: its closed lines were read as outlines, those within "
+          "them as seam lines and inner lines."));
+  return {};
+}
+
 }  // namespace
 
-Result<CadStyle> cadStyle(const DxfFile& file) {
+Result<CadStyle> cadStyle(const DxfFile& file, double unit) {
   CadStyle style;
   std::string units;
   const DxfWords words(file);
@@ -404,6 +431,8 @@ Result<CadStyle> cadStyle(const DxfFile& file) {
   find(file.entities);
   for (const DxfBlock& block : file.blocks)
     if (inserted.empty() || !pieces.contains(block.name)) find(block.entities);
+  std::set<std::string> empty;
+  std::map<std::string, CadPiece> around;  // the words beside a block that is inserted, by its name
   const auto add = [&](const std::vector<DxfEntity>& entities, const DxfFrame& frame, std::string_view name,
                        int count) -> Done {
     auto shapes = shapesOf(file, entities, frame, pieces);
@@ -412,7 +441,16 @@ Result<CadStyle> cadStyle(const DxfFile& file) {
     Parts parts = partsOf(*std::move(shapes));
     for (std::size_t k = 0; k < parts.shapes.size(); ++k) {
       CadPiece piece = pieceOf(parts.shapes[k], words);
-      if (piece.boundary.empty()) continue;
+      if (piece.boundary.empty()) {
+        if (piece.name.empty()) continue;
+        const bool within = std::any_of(entities.begin(), entities.end(), [&](const DxfEntity& entity) {
+          return entity.is("INSERT") && pieces.contains(entity.text(2)) &&
+                 around.emplace(words(entity.text(2)), piece).second;
+        });
+        if (!within && empty.insert(piece.name).second && empty.size() <= kMostEmpty)
+          style.notes.push_back(say("Piece “{0}” has no outline and was left out.", piece.name));
+        continue;
+      }
       piece.block = words(name) + (parts.shapes.size() > 1 ? "-" + std::to_string(k + 1) : "");
       if (parts.left[k] > 0)
         piece.notes.push_back(
@@ -434,6 +472,16 @@ Result<CadStyle> cadStyle(const DxfFile& file) {
   }
   if (const Done done = add(file.entities, {}, style.name.empty() ? "piece" : style.name, 0); !done)
     return done.error();  // what is drawn without a block
+  for (CadPiece& piece : style.pieces)
+    if (const auto said = around.find(piece.block); said != around.end() && piece.name.empty()) {
+      const CadPiece& beside = said->second;
+      piece.name = beside.name, piece.category = beside.category, piece.annotation = beside.annotation;
+      piece.fabric = beside.fabric;
+      if (!piece.sizeTold) piece.size = beside.size, piece.sizeTold = beside.sizeTold;
+      if (beside.quantity > 0) piece.quantity = beside.quantity, piece.pairs = beside.pairs;
+    }
+  if (style.pieces.empty())
+    if (const Done done = takePlain(file, words, style); !done) return done.error();
   if (style.pieces.empty()) {
     const std::string layers = layersOf(file);
     if (!layers.empty())
@@ -446,7 +494,7 @@ Result<CadStyle> cadStyle(const DxfFile& file) {
   }
 
   nameSizes(style);
-  const double unit = unitOf(style, units, file.unitCode, style.unitsTold);
+  if (unit <= 0) unit = unitOf(style, units, file.unitCode, style.unitsTold);
   for (CadPiece& piece : style.pieces) {
     changePlaces(piece, [&](Flat p) { return p * unit; });
     if (std::find(style.sizes.begin(), style.sizes.end(), piece.size) == style.sizes.end())

@@ -42,11 +42,12 @@ struct CadStyle {
   std::string name, sampleSize, author;
   bool unitsTold = true;           // else the unit was guessed from how large the pieces are
   bool lettersGuessed = false;     // the code page of its words was
+  std::vector<Message> notes;      // what was left out
   std::vector<std::string> sizes;  // in the file's order
   std::vector<CadPiece> pieces;    // one for each piece and size, in the file's order
 };
 
-// Refuses a file without a piece.
-Result<CadStyle> cadStyle(const DxfFile& file);
+// Refuses a file without a piece. `unit`: metres of a unit, whatever the file tells; 0: as it tells.
+Result<CadStyle> cadStyle(const DxfFile& file, double unit = 0);
 
 }  // namespace karinui

@@ -104,10 +104,10 @@ void measureSizes(const CadStyle& style, const std::map<PieceId, NamedPiece>& dr
 
 }  // namespace
 
-Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size) {
+Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size, double unit) {
   const auto file = parseDxf(bytes);
   if (!file) return file.error();
-  auto style = cadStyle(*file);
+  auto style = cadStyle(*file, unit);
   if (!style) return style.error();
   CadPattern made;
   made.style = style->name, made.author = style->author, made.sampleSize = style->sampleSize, made.sizes = style->sizes;
@@ -119,7 +119,9 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size)
   made.size = !size.empty() ? std::string(size) : has(made.sampleSize) ? made.sampleSize : made.sizes.front();
   if (!style->unitsTold)
     made.notes.push_back(
-        say("The file’s unit of length was guessed from how large its pieces are: look at a length you know."));
+        say("The file’s unit of length was guessed from how large its pieces are: look at a length you know. Where it "
+            "is wrong, say what a unit is (--unit mm)."));
+  for (const Message& note : style->notes) made.notes.push_back(note);
 
   if (style->lettersGuessed)
     made.notes.push_back(say("The file does not tell in which code page its names are written; it was guessed."));

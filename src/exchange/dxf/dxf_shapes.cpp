@@ -104,7 +104,8 @@ class Drawing {
  private:
   Done draw(const DxfEntity& entity, const DxfFrame& frame, int within, std::size_t depth) {
     DxfShape shape;
-    shape.layer = layerNumber(entity.text(8));
+    shape.layerName = entity.text(8);
+    shape.layer = layerNumber(shape.layerName);
     if (within >= 0 && shape.layer <= 0) shape.layer = within;  // layer 0 of a block is the layer it is inserted on
     if (const auto degrees = entity.number(50))
       shape.heading = Flat{std::cos(*degrees * kDegree), std::sin(*degrees * kDegree)};

@@ -14,6 +14,7 @@ namespace karinui {
 struct DxfShape {
   enum class Kind { Line, Point, Text } kind = Kind::Point;
   int layer = -1;
+  std::string_view layerName;   // as the file has it
   std::vector<Flat> points;     // of a line; else one
   bool closed = false;          // of a line
   bool round = false;           // a circle: a drill hole may be drawn so

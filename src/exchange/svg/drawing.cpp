@@ -15,8 +15,10 @@
 #include "exchange/xml.h"
 #include "karinui/base/number.h"
 #include "karinui/exchange/drawing.h"
+#include "karinui/exchange/formats.h"
 #include "karinui/exchange/sheet.h"
 #include "karinui/geometry/fit_curve.h"
+#include "svg_habits.h"
 #include "svg_path.h"
 
 namespace karinui {
@@ -26,6 +28,7 @@ namespace {
 constexpr std::size_t kMostCurves = 400'000, kMostPieces = 2000, kMostEdges = 2000, kMostMarks = 2000;
 constexpr double kSmallest = 4e-4;                 // m2 of a piece
 constexpr double kMeet = 5e-4;                     // metres: ends of open lines that are one outline
+constexpr double kSlip = 5e-3;                     // wider gaps are no slip of the hand
 constexpr double kCorner = std::numbers::pi / 36;  // 5 degrees part two edges
 constexpr double kShortest = 5e-5;                 // of an edge: shorter ones belong to the edge before
 constexpr double kNotchReach = 0.012;              // a notch farther from the outline is none
@@ -80,7 +83,8 @@ bool isTestSquare(const std::string& name) {
 
 bool usable(const std::string& name) {  // not made by the program
   const std::string low = lowered(name);
-  for (const std::string_view made : {"path", "g", "layer", "svg", "group", "use", "rect", "polygon", "fs"}) {
+  for (const std::string_view made : {"path", "g", "layer", "svg", "group", "use", "rect", "polygon", "fs", "clone",
+                                      "artboard", "ebene", "calque", "レイヤー", "アートボード"}) {
     if (!low.starts_with(made)) continue;
     const std::string rest = low.substr(made.size());
     if (rest.find_first_not_of("0123456789-_ ") == std::string::npos) return false;
@@ -107,6 +111,7 @@ struct Drawn {
   Ring ring;
   double area = 0;
   bool used = false;
+  double gap = 0;  // the widest that was closed
 };
 struct Place {
   Flat at;
@@ -122,28 +127,27 @@ struct Group {
   std::size_t parent = 0;
 };
 
-// The value of one property of a style attribute.
-std::string propertyOf(const XmlElement& element, std::string_view key) {
-  if (const std::string* own = element.find(std::string(key))) return *own;
-  const std::string* style = element.find("style");
-  if (!style) return {};
-  for (std::size_t at = 0; at < style->size();) {
-    const std::size_t end = std::min(style->find(';', at), style->size()), colon = style->find(':', at);
-    if (colon < end) {
-      if (trimmed(std::string_view(*style).substr(at, colon - at)) == key)
-        return std::string(trimmed(std::string_view(*style).substr(colon + 1, end - colon - 1)));
-    }
-    at = end + 1;
-  }
-  return {};
-}
-
 class Drawing {
  public:
+  // `unit`: metres of a unit of the drawing, where somebody said it.
+  Drawing(std::string_view svg, const XmlElement& root, double unit)
+      : perInch_(pixelsPerInch(svg, root)), illustrator_(isFromIllustrator(svg, root)), unit_(unit) {}
+
   Result<CadPattern> read(const std::vector<XmlElement>& elements) {
     if (auto scaled = units(elements.front()); !scaled) return scaled.error();
-    if (auto taken = walk(elements); !taken) return taken.error();
+    // Symbols of notches and holes are places; their drawing is of no account.
+    const WithClones whole = withClones(elements, [](const std::string& to) {
+      const Kind kind = kindNamed(to);
+      return kind == Kind::Notch || kind == Kind::Drill || kind == Kind::Nothing;
+    });
+    if (whole.tooMany) return badInput(say("The drawing has more than {0} curves.", kMostCurves));
+    for (std::size_t k = 0; k < std::min<std::size_t>(whole.missing.size(), 8); ++k)
+      out_.notes.push_back(
+          say("A clone of “{0}” was left out: the drawing has nothing of that name.", shown(whole.missing[k])));
+    if (auto taken = walk(whole.elements); !taken) return taken.error();
     if (auto made = pieces(); !made) return made.error();
+    if (out_.pattern.pieces.empty() && why_)
+      return badInput(say("The drawing has no closed line that could be a piece. {0}", *why_));
     if (out_.pattern.pieces.empty())
       return badInput(
           say("The drawing has no closed line that could be a piece. Draw each piece as one closed path, or as paths "
@@ -155,9 +159,22 @@ class Drawing {
   // Millimetres of a user unit, from the drawing's size and its viewBox.
   Done units(const XmlElement& svg) {
     const std::string *width = svg.find("width"), *height = svg.find("height"), *box = svg.find("viewBox");
-    const auto wide = width ? svgMillimetres(*width) : std::nullopt;
-    const auto high = height ? svgMillimetres(*height) : std::nullopt;
-    double scale = 25.4 / 96;
+    const double pixel = 25.4 / perInch_;
+    const auto wide = width ? svgMillimetres(*width, pixel) : std::nullopt;
+    const auto high = height ? svgMillimetres(*height, pixel) : std::nullopt;
+    double scale = pixel;
+    const auto untold = [&] {
+      if (unit_ > 0) return;
+      out_.notes.push_back(perInch_ == 96 ? say("The drawing does not tell its size; a unit was read as a pixel, 96 to "
+                                                "the inch. Where a length is wrong, say what a unit is (--unit mm).")
+                                          : say("The drawing’s size is in pixels, which the program that drew it "
+                                                "counts {0} to the inch; so it was read.",
+                                                perInch_));
+    };
+    const auto inPixels = [](const std::string* text) {
+      return text &&
+             (text->ends_with("px") || (!text->empty() && std::isdigit(static_cast<unsigned char>(text->back())) != 0));
+    };
     Flat corner;
     if (box) {
       const auto n = svgNumbers(*box);
@@ -170,10 +187,12 @@ class Drawing {
       else if (x > 0 || y > 0)
         scale = std::max(x, y);
       else
-        out_.notes.push_back(say("The drawing does not tell its size; a unit was read as a pixel, 96 to the inch."));
+        untold();
     } else if (!wide && !high) {
-      out_.notes.push_back(say("The drawing does not tell its size; a unit was read as a pixel, 96 to the inch."));
+      untold();
     }
+    if (perInch_ != 96 && (inPixels(width) || inPixels(height))) untold();
+    if (unit_ > 0) scale = unit_ * 1000;
     if (!(scale > 1e-6 && scale < 1e5)) return badInput(say("The drawing's width and viewBox give no usable scale."));
     const double metres = scale / 1000;
     page_ = SvgMatrix{metres, 0, 0, -metres, -corner.u * metres, corner.v * metres};
@@ -189,6 +208,7 @@ class Drawing {
 
   Done walk(const std::vector<XmlElement>& elements) {
     groups_.push_back({});
+    const SvgStyles styles(elements);
     std::vector<Open> open{{page_, 0, 0, Kind::Unknown, false, false}};
     std::size_t budget = kMostCurves;
     for (std::size_t i = 1; i < elements.size(); ++i) {
@@ -201,16 +221,20 @@ class Drawing {
       if (name == "defs" || name == "symbol" || name == "clipPath" || name == "mask" || name == "pattern" ||
           name == "marker" || name == "style" || name == "metadata" || name == "script" || name == "foreignObject")
         here.hidden = true;
-      if (propertyOf(element, "display") == "none" || propertyOf(element, "visibility") == "hidden") here.hidden = true;
+      if (styles.of(element, "display") == "none" || styles.of(element, "visibility") == "hidden") here.hidden = true;
       if (const std::string* transform = element.find("transform")) {
         const auto own = svgTransform(*transform);
         if (!own) return badInput(say("The drawing has a transform that cannot be read: \"{0}\".", shown(*transform)));
         here.to = here.to * *own;
       }
-      const std::string dashes = propertyOf(element, "stroke-dasharray");
+      const std::string dashes = styles.of(element, "stroke-dasharray");
       if (!dashes.empty()) here.dashed = dashes != "none" && dashes != "0";
       const std::string* label = element.find("inkscape:label");
+      for (const char* other : {"data-name", "serif:id"})  // of Illustrator and of Affinity Designer
+        if (!label) label = element.find(other);
       const std::string *id = element.find("id"), *css = element.find("class");
+      const std::string plain = illustrator_ && id ? illustratorName(*id) : "";
+      if (!plain.empty()) id = &plain;
       if ((id && isTestSquare(*id)) || (label && isTestSquare(*label))) here.hidden = true;
       const auto learn = [&](const std::string* text) {
         if (!text) return;
@@ -259,8 +283,8 @@ class Drawing {
       auto lines = svgLines(shape, here.to, budget);
       if (!lines) {
         if (budget == 0) return badInput(say("The drawing has more than {0} curves.", kMostCurves));
-        out_.notes.push_back(
-            say("A line of the drawing cannot be read and was left out: {0}.", shown(id ? *id : name)));
+        why_ = say("A line of the drawing cannot be read and was left out: {0}.", shown(id ? *id : name));
+        out_.notes.push_back(*why_);
         if (out_.notes.size() > 100) return badInput(say("Too many lines of the drawing cannot be read."));
         continue;
       }
@@ -286,7 +310,8 @@ class Drawing {
                 usable(called) && kindNamed(called) == Kind::Unknown ? plainName(called) : "",
                 {},
                 0,
-                false};
+                false,
+                0};
     measure(drawn);
     lines_.push_back(std::move(drawn));
   }
@@ -299,8 +324,78 @@ class Drawing {
     drawn.area = drawn.line.closed ? std::abs(signedArea(drawn.ring)) : 0;
   }
 
+  static double gapOf(const Drawn& one) { return distance(one.line.curves.back().end, one.line.curves.front().start); }
+  bool maybeOutline(const Drawn& one) const {
+    return !one.line.closed && !one.used &&
+           (one.kind == Kind::Unknown || one.kind == Kind::Seam || one.kind == Kind::Cut);
+  }
+  // The area within an open line and the straight one from its end to its start.
+  static double areaIfClosed(const Drawn& one) {
+    Ring ring = one.ring;
+    ring.push_back(one.line.curves.back().end);
+    return std::abs(signedArea(ring));
+  }
+  static std::string millimetres(double metres) { return fixed(1000 * metres, 1); }
+  // The end of one run and the start of the next (or of the same) are brought together: where a hand left a gap between
+  // straight lines, or drew them past each other, in the corner that they make; else by a straight line.
+  static void meetAt(std::vector<Curve>& run, std::vector<Curve>& next) {
+    Curve &in = run.back(), &out = next.front();
+    const double gap = distance(in.end, out.start);
+    if (gap <= kMeet) {
+      if (&run == &next)
+        in.end = out.start;
+      else
+        out.start = in.end;
+      return;
+    }
+    const Flat a = in.end - in.start, b = out.end - out.start, between = out.start - in.end;
+    const double turned = a.u * b.v - a.v * b.u;
+    if (in.kind == Curve::Kind::Line && out.kind == Curve::Kind::Line &&
+        std::abs(turned) > 0.2 * length(a) * length(b)) {
+      const Flat corner = in.end + a * ((between.u * b.v - between.v * b.u) / turned);
+      if (distance(corner, in.end) < 0.5 * length(a) && distance(corner, out.start) < 0.5 * length(b) &&
+          distance(corner, in.end) <= 2 * gap) {
+        in.end = out.start = corner;
+        return;
+      }
+    }
+    run.push_back(Curve::line(in.end, out.start));
+  }
+  // A single line whose ends nearly meet is closed.
+  void closeGaps() {
+    for (Drawn& one : lines_) {
+      const double gap = gapOf(one);
+      if (!maybeOutline(one) || gap > kSlip || one.line.curves.size() < 2 || areaIfClosed(one) < kSmallest) continue;
+      meetAt(one.line.curves, one.line.curves);
+      one.line.closed = true;
+      measure(one);
+      one.gap = gap;
+    }
+  }
+  // Lines that were perhaps meant to be pieces and are open.
+  void tellOpen(const std::vector<std::size_t>& chosen) {
+    std::string all;
+    std::size_t count = 0;
+    const Drawn* first = nullptr;
+    for (const Drawn& one : lines_) {
+      if (!maybeOutline(one) || areaIfClosed(one) < 25 * kSmallest) continue;
+      if (std::any_of(chosen.begin(), chosen.end(), [&](std::size_t k) {
+            return contains(lines_[k].ring, one.ring[one.ring.size() / 2]) ||
+                   (one.group != 0 && one.group == lines_[k].group);
+          }))
+        continue;
+      if (!first) first = &one;
+      if (++count <= 8) all += (count == 1 ? "“" : ", “") + nameFor(one) + "”";
+    }
+    if (count == 0) return;
+    if (count > 8) all += ", …";
+    out_.notes.push_back(*(why_ = say("{0} open {0|line is|lines are} no {0|piece|pieces}, since {0|its|their} ends "
+                                      "do not meet: {1} (the first by {2} mm). Join them where a piece is meant.",
+                                      count, all, millimetres(gapOf(*first)))));
+  }
+
   // Open lines of one group whose ends meet become one closed line.
-  void chain() {
+  void chain(double meet) {
     std::map<std::size_t, std::vector<std::size_t>> open;
     std::set<std::size_t> closed;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -318,24 +413,28 @@ class Drawing {
         for (bool more = true; more;) {
           more = false;
           const Flat end = whole.line.curves.back().end;
-          for (const std::size_t k : left) {
-            auto next = lines_[k].line.curves;
-            if (distance(end, next.front().start) > kMeet) {
-              if (distance(end, next.back().end) > kMeet) continue;
-              std::reverse(next.begin(), next.end());
-              for (Curve& curve : next) curve = curve.reversed();
-            }
-            next.front().start = end;
-            whole.line.curves.insert(whole.line.curves.end(), next.begin(), next.end());
-            taken.push_back(k), left.erase(k);
-            more = true;
-            break;
+          const auto reach = [&](std::size_t k) {
+            const auto& next = lines_[k].line.curves;
+            return std::min(distance(end, next.front().start), distance(end, next.back().end));
+          };
+          const auto nearest = std::min_element(left.begin(), left.end(),
+                                                [&](std::size_t a, std::size_t b) { return reach(a) < reach(b); });
+          if (nearest == left.end() || reach(*nearest) > meet) break;
+          const double gap = reach(*nearest);
+          auto next = lines_[*nearest].line.curves;
+          if (distance(end, next.front().start) > gap) {
+            std::reverse(next.begin(), next.end());
+            for (Curve& curve : next) curve = curve.reversed();
           }
+          whole.gap = std::max(whole.gap, gap > kMeet ? gap : 0);
+          meetAt(whole.line.curves, next);
+          whole.line.curves.insert(whole.line.curves.end(), next.begin(), next.end());
+          taken.push_back(*nearest), left.erase(nearest);
+          more = true;
         }
-        if (distance(whole.line.curves.back().end, whole.line.curves.front().start) > kMeet ||
-            whole.line.curves.size() < 2)
-          continue;
-        whole.line.curves.back().end = whole.line.curves.front().start;
+        if (gapOf(whole) > meet || whole.line.curves.size() < 2) continue;
+        whole.gap = std::max(whole.gap, gapOf(whole) > kMeet ? gapOf(whole) : 0);
+        meetAt(whole.line.curves, whole.line.curves);
         whole.line.closed = true;
         measure(whole);
         if (whole.area < kSmallest) continue;
@@ -375,7 +474,9 @@ class Drawing {
   }
 
   Done pieces() {
-    chain();
+    chain(kMeet);
+    chain(kSlip);
+    closeGaps();
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < lines_.size(); ++i)
       if (lines_[i].line.closed && lines_[i].area > kSmallest && !lines_[i].used &&
@@ -415,6 +516,14 @@ class Drawing {
       chosen.push_back(best);
     }
     tellSeamless(std::move(seamless));
+    std::size_t gaps = 0;
+    double widest = 0;
+    for (const std::size_t k : chosen)
+      if (lines_[k].gap > 0) ++gaps, widest = std::max(widest, lines_[k].gap);
+    if (gaps > 0)
+      out_.notes.push_back(say("{0} {0|outline was|outlines were} open by up to {1} mm and {0|was|were} closed.", gaps,
+                               millimetres(widest)));
+    tellOpen(chosen);
     DistinctNames names;
     std::optional<Error> trouble;
     for (const std::size_t k : chosen) {
@@ -569,6 +678,10 @@ class Drawing {
     return distanceToRing(ring, a) < distanceToRing(ring, b) ? a : b;
   }
 
+  int perInch_;
+  bool illustrator_;
+  double unit_;
+  std::optional<Message> why_;  // what was said of lines that are no pieces
   CadPattern out_;
   SvgMatrix page_;
   std::vector<Group> groups_;
@@ -579,7 +692,7 @@ class Drawing {
 
 }  // namespace
 
-Result<CadPattern> readDrawing(std::string_view svg, std::string_view size) {
+Result<CadPattern> readDrawing(std::string_view svg, std::string_view size, double unit) {
   if (!size.empty()) return badInput(say("Such a file holds one size only."));
   const auto elements = parseXml(svg);
   if (!elements) return elements.error();
@@ -587,6 +700,7 @@ Result<CadPattern> readDrawing(std::string_view svg, std::string_view size) {
   if (elements->front().name != "svg" && elements->front().name != "svg:svg")
     return badInput(say("This file is no SVG drawing."));
   if (format && *format == "karinui-sheet-1") {
+    if (unit > 0) return badInput(unitIsTold());
     CadPattern whole;
     auto own = readSvg(svg, &whole.cutting.allowances, &whole.fabrics);
     if (!own) return own.error();
@@ -594,7 +708,7 @@ Result<CadPattern> readDrawing(std::string_view svg, std::string_view size) {
     leaveOutHoles(whole);
     return whole;
   }
-  return Drawing().read(*elements);
+  return Drawing(svg, elements->front(), unit).read(*elements);
 }
 
 }  // namespace karinui

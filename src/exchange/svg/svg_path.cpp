@@ -308,15 +308,14 @@ std::optional<SvgMatrix> svgTransform(std::string_view text) {
   return std::nullopt;
 }
 
-std::optional<double> svgMillimetres(std::string_view text) {
+std::optional<double> svgMillimetres(std::string_view text, double pixel) {
   while (!text.empty() && isSeparator(text.front())) text.remove_prefix(1);
   while (!text.empty() && isSeparator(text.back())) text.remove_suffix(1);
-  constexpr double kPixel = 25.4 / 96;
-  double unit = kPixel;
+  double unit = pixel;
   for (const auto& [name, mm] : {std::pair<std::string_view, double>{"mm", 1},
                                  {"cm", 10},
                                  {"in", 25.4},
-                                 {"px", kPixel},
+                                 {"px", pixel},
                                  {"pt", 25.4 / 72},
                                  {"pc", 25.4 / 6},
                                  {"Q", 0.25},

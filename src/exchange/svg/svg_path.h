@@ -20,8 +20,8 @@ std::optional<SvgMatrix> svgTransform(std::string_view text);
 // Numbers between white space and commas, "1.5-2" and ".5.5" being two each.
 std::optional<std::vector<double>> svgNumbers(std::string_view text);
 
-// "21cm" -> 210; bare numbers and px at 96 to the inch. Nothing: a share, or no length.
-std::optional<double> svgMillimetres(std::string_view text);
+// "21cm" -> 210; bare numbers and px are pixels of so many mm. Nothing: a share, or no length.
+std::optional<double> svgMillimetres(std::string_view text, double pixel = 25.4 / 96);
 
 struct SvgLine {
   std::vector<Curve> curves;
