@@ -262,6 +262,18 @@ TEST(Drawing, ClonesAreDrawn) {
   EXPECT_FALSE(readDrawing(svg(head, many)));
 }
 
+// As our own sheets are after a program that drops what it does not know.
+TEST(Drawing, ASeamLineDrawnEdgeByEdgeWithinItsCutLine) {
+  const CadPattern drawing = svgDrawing(
+      svg("width='500mm' height='700mm' viewBox='0 0 500 700'",
+          "<g id='front'><path class='cut' d='M0 0H320V420H0z'/><path class='seam' d='M10 10H310'/><path class='seam' "
+          "d='M310 10V410'/>"
+          "<path class='seam' d='M10 410H310'/><path class='seam' d='M10 410V10'/><path d='M50 50V300'/></g>"));
+  EXPECT_NEAR(onlyDrawn(drawing).outline.area(), 0.3 * 0.4, 1e-9);
+  EXPECT_EQ(onlyDrawn(drawing).lines.size(), 1u);
+  EXPECT_TRUE(drawing.notes.empty());
+}
+
 TEST(Drawing, SlipsOfTheHandAreClosedAndTold) {
   const std::string head = "width='500mm' height='700mm' viewBox='0 0 500 700'";
   // Drawn past each other and short of each other by 2 mm.

@@ -165,6 +165,7 @@ class Drawing {
     double scale = pixel;
     const auto untold = [&] {
       if (unit_ > 0) return;
+      if (perInch_ == 96) out_.guessedUnit = 0.0254 / perInch_;
       out_.notes.push_back(perInch_ == 96 ? say("The drawing does not tell its size; a unit was read as a pixel, 96 to "
                                                 "the inch. Where a length is wrong, say what a unit is (--unit mm).")
                                           : say("The drawing’s size is in pixels, which the program that drew it "
@@ -397,14 +398,16 @@ class Drawing {
   // Open lines of one group whose ends meet become one closed line.
   void chain(double meet) {
     std::map<std::size_t, std::vector<std::size_t>> open;
-    std::set<std::size_t> closed;
+    std::set<std::size_t> closed, cut;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const Drawn& one = lines_[i];
-      if (one.line.closed && one.area > kSmallest) closed.insert(one.group);
+      // A cut line in one piece may have its seam line drawn edge by edge within.
+      if (one.line.closed && one.area > kSmallest) (one.kind == Kind::Cut ? cut : closed).insert(one.group);
       if (!one.line.closed && (one.kind == Kind::Unknown || one.kind == Kind::Seam)) open[one.group].push_back(i);
     }
     for (auto& [group, members] : open) {
       if (closed.contains(group) || members.size() > 400) continue;
+      if (cut.contains(group)) std::erase_if(members, [&](std::size_t k) { return lines_[k].kind != Kind::Seam; });
       std::set<std::size_t> left(members.begin(), members.end());
       while (!left.empty()) {
         Drawn whole = lines_[*left.begin()];
