@@ -330,6 +330,7 @@ void MainWindow::refresh() {
     for (Panel* panel : panels_) panel->showAgain();
   if (const auto damaged = session_->takeDamaged()) offerRescue(*damaged);
   if (const auto open = session_->takeOpenBody()) offerSkin(*open);
+  if (const auto guessed = session_->takeGuessedUnit()) askUnit(*guessed);
   if (atStart() && (!session_->path().empty() || !session_->steps().empty())) leaveStart();
   if (auto asked = session_->takeAsked()) askNumbers(*std::move(asked));
   if (const auto view = session_->takeView()) {

@@ -101,6 +101,7 @@ class MainWindow : public QMainWindow {
   void showDropMenu();
   void run(Command command);
   void offerRescue(const std::filesystem::path& damaged);  // of a document that was not opened
+  void askUnit(const GuessedUnit& guessed);                // of a pattern whose file does not tell it
   void offerSkin(const std::filesystem::path& body);       // for one whose surface has holes
   void askRescue(const std::filesystem::path& damaged);
   void askNew();

@@ -16,6 +16,8 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTabWidget>
+#include <cmath>
+#include <tuple>
 
 #include "drafts.h"
 #include "file_filter.h"
@@ -136,6 +138,43 @@ void MainWindow::offerSkin(const std::filesystem::path& body) {
       },
       Qt::QueuedConnection);
   box->open();
+}
+
+void MainWindow::askUnit(const GuessedUnit& guessed) {
+  auto* dialog = new QDialog(this);
+  dialog->setObjectName("ask_unit");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(inWords(say("Unit of the pattern")));
+  auto* words =
+      new QLabel(inWords(say("“{0}” does not tell what a unit of it is. How long is its longest piece, up or across?",
+                             guessed.file.filename().string())));
+  words->setWordWrap(true);
+  auto* lengths = new QComboBox;
+  lengths->setObjectName("unit");
+  for (const auto& [name, metres, called] : {std::tuple<const char*, double, Message>{"mm", 0.001, say("millimetres")},
+                                             {"cm", 0.01, say("centimetres")},
+                                             {"m", 1, say("metres")},
+                                             {"in", 0.0254, say("inches")},
+                                             {"pt", 0.0254 / 72, say("points, 72 to the inch (Illustrator)")},
+                                             {"px", 0.0254 / 96, say("pixels, 96 to the inch")}}) {
+    const bool read = std::abs(metres - guessed.unit) < 1e-9;
+    if (name == std::string_view("px") && !read) continue;
+    lengths->addItem(lengthText(guessed.longest / guessed.unit * metres) + " – " + inWords(called), name);
+    if (read) lengths->setCurrentIndex(lengths->count() - 1);
+  }
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok);
+  auto* form = new QFormLayout(dialog);
+  form->addRow(words);
+  form->addRow(lengths);
+  form->addRow(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+  connect(dialog, &QDialog::accepted, this, [this, guessed, lengths, as = lengths->currentIndex()] {
+    if (lengths->currentIndex() == as) return;
+    session_->readAgain(guessed, lengths->currentData().toString().toStdString());
+    refresh();
+  });
+  dialog->open();
+  lengths->setFocus();
 }
 
 void MainWindow::askRescue(const std::filesystem::path& damaged) {

@@ -102,8 +102,12 @@ class DocumentWorker {
 bool isDraft(const SessionOptions& options, const std::filesystem::path& path);
 
 // Files in and out (session's second thread).
+// `guessed` (may be null): where the file's unit was guessed, what of it.
 Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-                       std::vector<Message>& notes);
+                       std::vector<Message>& notes, std::optional<GuessedUnit>* guessed = nullptr);
+// The pattern once more in another unit, in place of the steps that made it.
+Done readAgainIn(DocumentWorker& documentWorker, const GuessedUnit& guessed, std::string_view unit, const Token& token,
+                 std::vector<Message>& notes);
 Done importPrintInto(DocumentWorker& documentWorker, const std::filesystem::path& file, SetLook look,
                      const Token& token);
 // `corner` is the upper right one; where it is not said the scan begins where pieces do.

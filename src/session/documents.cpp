@@ -19,11 +19,12 @@ void Session::Impl::leave() {
 }
 
 void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done,
-                             std::shared_ptr<std::vector<Message>> notes, std::function<void(const Error&)> refused) {
+                             std::shared_ptr<std::vector<Message>> notes, std::function<void(const Error&)> refused,
+                             std::function<void()> taken) {
   leave();
   ++longWorks;
   tasks.add(TaskQueue::Kind::Step, [this, work = std::move(work), done = std::move(done), notes,
-                                    refused = std::move(refused)](const Token& token) {
+                                    refused = std::move(refused), taken = std::move(taken)](const Token& token) {
     Result<std::shared_ptr<DocumentWorker>> made = work(token);
     const bool other = made && *made != documentWorker;
     if (other) documentWorker = *made;
@@ -32,7 +33,7 @@ void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker
     if (!made) why = made.error();
     std::vector<Message> remarks;
     if (other) remarks = documentWorker->file().remarks();
-    return [this, other, why, fresh, done, remarks, notes, refused] {
+    return [this, other, why, fresh, done, remarks, notes, refused, taken] {
       --longWorks;
       if (other) {
         ++documents;
@@ -42,6 +43,7 @@ void Session::Impl::longWork(std::function<Result<std::shared_ptr<DocumentWorker
       }
       take(*fresh);
       if (why && refused) refused(*why);
+      if (!why && taken) taken();
       if (why)
         tellError(*why);
       else
@@ -232,12 +234,27 @@ void Session::importScan(const std::filesystem::path& file) {
 void Session::importPattern(const std::filesystem::path& file) {
   auto& in = *impl_;
   const auto notes = std::make_shared<std::vector<Message>>();
+  const auto guessed = std::make_shared<std::optional<GuessedUnit>>();
   in.longWork(
-      [&in, file, notes](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
-        if (const Done done = importPatternInto(*in.documentWorker, file, token, *notes); !done) return done.error();
+      [&in, file, notes, guessed](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
+        if (const Done done = importPatternInto(*in.documentWorker, file, token, *notes, guessed.get()); !done)
+          return done.error();
         return in.documentWorker;
       },
-      say("“{0}” was read.", file.filename().string()), notes);
+      say("“{0}” was read.", file.filename().string()), notes, {}, [&in, guessed] { in.guessedUnit = *guessed; });
+}
+
+std::optional<GuessedUnit> Session::takeGuessedUnit() { return std::exchange(impl_->guessedUnit, std::nullopt); }
+
+void Session::readAgain(const GuessedUnit& guessed, const std::string& unit) {
+  auto& in = *impl_;
+  const auto notes = std::make_shared<std::vector<Message>>();
+  in.longWork(
+      [&in, guessed, unit, notes](const Token& token) -> Result<std::shared_ptr<DocumentWorker>> {
+        if (const Done done = readAgainIn(*in.documentWorker, guessed, unit, token, *notes); !done) return done.error();
+        return in.documentWorker;
+      },
+      say("“{0}” was read.", guessed.file.filename().string()), notes);
 }
 
 void Session::exportTo(const std::filesystem::path& file, const ExportWish& wish) {

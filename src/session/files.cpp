@@ -12,8 +12,8 @@ namespace karinui {
 
 namespace {
 
-Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-                 std::vector<Message>& notes) {
+Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, std::string_view unit,
+                 const Token& token, std::vector<Message>& notes, std::optional<GuessedUnit>* guessed) {
   if (contentOf(file) == FileContent::Script) {
     const Result<std::string> bytes = readFile(file);
     if (!bytes) return bytes.error();
@@ -27,7 +27,7 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
     return {};
   }
   if (contentOf(file) != FileContent::Pattern) return unreadable(file, {FileContent::Pattern, FileContent::Script});
-  const Result<CadPattern> read = readPatternSize(file, {});
+  const Result<CadPattern> read = readPatternSize(file, {}, fileFormats(), {}, unit);
   if (!read) return read.error();
   const Document& document = documentWorker.file().document();
   Pattern pattern = read->pattern;
@@ -48,6 +48,14 @@ Done patternInto(DocumentWorker& documentWorker, const std::filesystem::path& fi
       return step.error();
     }
     ++performed;
+  }
+  if (guessed && read->guessedUnit > 0 && performed > 0) {
+    double longest = 0;
+    for (const auto& [id, piece] : read->pattern.pieces) {
+      const Flat size = boxOf(piece->outline.flattened(1e-4)).size();
+      longest = std::max({longest, size.u, size.v});
+    }
+    *guessed = GuessedUnit{file, read->guessedUnit, longest, performed, documentWorker.file().steps().back().seq};
   }
   return {};
 }
@@ -73,10 +81,24 @@ Done bodyInto(DocumentWorker& documentWorker, const std::filesystem::path& file,
 }  // namespace
 
 Done importPatternInto(DocumentWorker& documentWorker, const std::filesystem::path& file, const Token& token,
-                       std::vector<Message>& notes) {
+                       std::vector<Message>& notes, std::optional<GuessedUnit>* guessed) {
   if (const Done draft = documentWorker.beginDraft(file.stem().string()); !draft) return draft;
-  const Done done = patternInto(documentWorker, file, token, notes);
+  const Done done = patternInto(documentWorker, file, {}, token, notes, guessed);
   documentWorker.dropEmptyDraft();
+  return done;
+}
+
+Done readAgainIn(DocumentWorker& documentWorker, const GuessedUnit& guessed, std::string_view unit, const Token& token,
+                 std::vector<Message>& notes) {
+  const auto& steps = documentWorker.file().steps();
+  if (steps.empty() || steps.back().seq != guessed.last)
+    return refused(
+        say("The garment has gone on since; undo up to “{0}”, and read it again.", guessed.file.filename().string()));
+  for (std::size_t k = 0; k < guessed.steps; ++k)
+    if (const auto back = documentWorker.undo(token); !back) return back.error();
+  const Done done = patternInto(documentWorker, guessed.file, unit, token, notes, nullptr);
+  if (!done)  // what was there stays
+    if (const Done back = documentWorker.goTo(guessed.last, 0, token); !back) return back;
   return done;
 }
 

@@ -39,6 +39,7 @@ struct Session::Impl {
   std::optional<Command> viewAsked;
   std::optional<Operation> asked;
   std::optional<std::filesystem::path> damaged;   // that was not opened
+  std::optional<GuessedUnit> guessedUnit;         // that nobody was told yet
   std::optional<std::filesystem::path> openBody;  // that was not taken, for its surface has holes
   bool poseStopped = false;                       // by the person, while the figure is on its way
   std::optional<SetBody> figureAsked;             // whose steps are being played again
@@ -156,9 +157,10 @@ struct Session::Impl {
   // documents.cpp
   void leave();  // another document comes: whatever was under way for the old one is over
   // Work that may replace the document or add many steps to it. `notes`: what it has to say besides.
-  // `refused`: what is to be asked then, besides being told.
+  // `refused`: what is to be asked then, besides being told. `taken`: what is to be done where it went well.
   void longWork(std::function<Result<std::shared_ptr<DocumentWorker>>(const Token&)> work, Message done,
-                std::shared_ptr<std::vector<Message>> notes = {}, std::function<void(const Error&)> refused = {});
+                std::shared_ptr<std::vector<Message>> notes = {}, std::function<void(const Error&)> refused = {},
+                std::function<void()> taken = {});
   std::shared_ptr<DocumentWorker> workerOf(DocumentFile file, bool readOnly);  // any thread
 
   mutable SnapshotPtr seen_, seenOf_;

@@ -99,6 +99,46 @@ TEST_F(Drafts, NotesOnAPatternAreSaid) {
   EXPECT_EQ(session.snapshot().document.pattern.pieces.size(), 1u);
 }
 
+// A pattern whose file tells no unit is read once more in the right one, in place of what was read.
+TEST_F(Drafts, AGuessedUnitIsAskedFor) {
+  ASSERT_TRUE(writeFile(folder_ / "front.svg", "<svg viewBox='0 0 900 900'><rect width='400' height='300'/></svg>"));
+  ASSERT_TRUE(
+      writeFile(folder_ / "told.svg",
+                "<svg width='900mm' height='900mm' viewBox='0 0 900 900'><rect width='400' height='300'/></svg>"));
+  Session session(options());
+  session.importPattern(folder_ / "told.svg");
+  session.finish();
+  EXPECT_FALSE(session.takeGuessedUnit());
+  const auto area = [&] {
+    double all = 0;
+    for (const auto& [id, piece] : session.snapshot().document.pattern.pieces) all += piece->outline.area();
+    return all;
+  };
+  EXPECT_NEAR(area(), 0.12, 1e-9);
+  session.importPattern(folder_ / "front.svg");
+  session.finish();
+  const auto guessed = session.takeGuessedUnit();
+  ASSERT_TRUE(guessed);
+  EXPECT_FALSE(session.takeGuessedUnit()) << "told once";
+  EXPECT_NEAR(guessed->longest, 0.4 * 25.4 / 96, 1e-9);
+  EXPECT_NEAR(guessed->unit, 0.0254 / 96, 1e-12);
+  const std::size_t steps = session.steps().size();
+  session.readAgain(*guessed, "ell");
+  session.finish();
+  EXPECT_THAT(refused(session), testing::HasSubstr("“ell” is not one of"));
+  EXPECT_EQ(session.steps().size(), steps) << "what was read stays";
+  session.readAgain(*guessed, "mm");
+  session.finish();
+  EXPECT_EQ(refused(session), "");
+  EXPECT_NEAR(area(), 0.24, 1e-9);
+  EXPECT_EQ(session.steps().size(), steps);
+  EXPECT_FALSE(session.takeGuessedUnit());
+  session.readAgain(*guessed, "cm");
+  session.finish();
+  EXPECT_THAT(refused(session), testing::HasSubstr("gone on since"));
+  EXPECT_NEAR(area(), 0.24, 1e-9);
+}
+
 std::string polylineOf(const char* layer, double from, double to) {
   std::string all = std::string("0\nPOLYLINE\n8\n") + layer + "\n66\n1\n70\n1\n";
   for (const auto& [x, y] : {std::pair{from, from}, {to, from}, {to, to}, {from, to}})

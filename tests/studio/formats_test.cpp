@@ -1,6 +1,7 @@
 // The window takes what the table of formats says, and nothing else.
 #include <gmock/gmock.h>
 
+#include <QComboBox>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QMessageBox>
@@ -117,6 +118,29 @@ TEST(StudioFormats, ADroppedFileStaysWhereItIs) {
   EXPECT_EQ(left.dropAction(), Qt::CopyAction);
   w.rest();
   EXPECT_TRUE(w.session().snapshot().document.pieceNamed("front"));
+}
+
+// A drawing that tells no size: the right length is chosen from those that its units would make.
+TEST(StudioFormats, AUnitThatIsNotToldIsAsked) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  Folder folder;
+  const fs::path file = folder.path / "front.svg";
+  std::ofstream(file) << "<svg viewBox='0 0 900 900'><rect id='front' width='400' height='300'/></svg>";
+  drop(w.main(), file);
+  w.rest();
+  auto* dialog = w.main().findChild<QDialog*>("ask_unit");
+  ASSERT_TRUE(dialog) << w.main().said().toStdString();
+  auto* lengths = dialog->findChild<QComboBox*>("unit");
+  ASSERT_TRUE(lengths);
+  EXPECT_THAT(lengths->currentText().toStdString(), HasSubstr("10.6 cm"));
+  const int millimetres = lengths->findText("40.0 cm", Qt::MatchStartsWith);
+  ASSERT_GE(millimetres, 0);
+  lengths->setCurrentIndex(millimetres);
+  dialog->accept();
+  w.rest();
+  ASSERT_EQ(w.session().snapshot().document.pattern.pieces.size(), 1u) << w.main().said().toStdString();
+  EXPECT_NEAR(w.session().snapshot().document.pattern.pieces.begin()->second->outline.area(), 0.12, 1e-9);
 }
 
 // A box without its lid, as a scan has holes: the skin that closes it is offered, and Escape leaves it.

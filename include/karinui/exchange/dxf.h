@@ -33,6 +33,7 @@ struct CadPattern {
     std::optional<Flat> fold;  // of a half's image: along the fold, about which the rule is mirrored
   };
   std::vector<RulePlace> rules;
+  double guessedUnit = 0;      // metres; 0: the file tells its unit, or somebody said it
   std::vector<Message> notes;  // what was guessed or left out, a sentence each
 };
 

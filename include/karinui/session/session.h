@@ -47,6 +47,15 @@ struct Notice {  // what the person should read once
   Message what;
 };
 
+// A pattern that was read in a unit that its file does not tell.
+struct GuessedUnit {
+  std::filesystem::path file;
+  double unit = 0;         // metres, as it was read
+  double longest = 0;      // of its pieces, as it was read, up or across
+  std::size_t steps = 0;   // that made it
+  std::uint64_t last = 0;  // the last of these
+};
+
 struct Busy {
   bool any = false;       // something is being worked out
   bool settling = false;  // and it is a drape
@@ -95,6 +104,10 @@ class Session {
   // A scan or photograph of a paper pattern, laid under the flat pattern to be traced.
   void importScan(const std::filesystem::path& file);
   void importPattern(const std::filesystem::path& file);  // into this document; .json of ours or GarmentCode, .ops
+  // Of a pattern that was read in a unit that was guessed; told once.
+  std::optional<GuessedUnit> takeGuessedUnit();
+  // The same in another unit (mm, cm, m, in, pt), in place of the steps that made it. Refused once the garment went on.
+  void readAgain(const GuessedUnit& guessed, const std::string& unit);
   void exportTo(const std::filesystem::path& file, const ExportWish& wish);
   // The pattern for others, with nothing of the person it was made for (share.h). What others will read in it is told.
   void shareTo(const std::filesystem::path& file, SharedNames names = SharedNames::Kept);

@@ -495,6 +495,7 @@ Result<CadStyle> cadStyle(const DxfFile& file, double unit) {
 
   nameSizes(style);
   if (unit <= 0) unit = unitOf(style, units, file.unitCode, style.unitsTold);
+  style.unit = unit;
   for (CadPiece& piece : style.pieces) {
     changePlaces(piece, [&](Flat p) { return p * unit; });
     if (std::find(style.sizes.begin(), style.sizes.end(), piece.size) == style.sizes.end())

@@ -40,6 +40,7 @@ struct CadPiece {
 
 struct CadStyle {
   std::string name, sampleSize, author;
+  double unit = 0;                 // metres
   bool unitsTold = true;           // else the unit was guessed from how large the pieces are
   bool lettersGuessed = false;     // the code page of its words was
   std::vector<Message> notes;      // what was left out

@@ -117,6 +117,7 @@ Result<CadPattern> readCadPattern(std::string_view bytes, std::string_view size,
   if (!size.empty() && !has(size))
     return badInput(say("The file has no size “{0}”; it has {1}.", cleanText(size), listOf(made.sizes)));
   made.size = !size.empty() ? std::string(size) : has(made.sampleSize) ? made.sampleSize : made.sizes.front();
+  if (!style->unitsTold) made.guessedUnit = style->unit;
   if (!style->unitsTold)
     made.notes.push_back(
         say("The file’s unit of length was guessed from how large its pieces are: look at a length you know. Where it "
