@@ -270,6 +270,25 @@ TEST(DxfHabits, WordsBesideAnInsertedOutline) {
   EXPECT_EQ(told(read), "");
 }
 
+TEST(DxfHabits, WordsOfSeveralLinesAndHowTheyAreLettered) {
+  Made made;
+  made.block("A").line(1, kPanel, true);
+  made.add("0\nMTEXT\n8\n1\n10\n5\n20\n5\n1\n{\\fArial|b0|i0;\\H2.5x;Piece Name: FRONT}\\PSize: 38\\PQuantity: 2\n");
+  const auto read = readHabit(made.endBlock().done());
+  EXPECT_EQ(only(read).name, "FRONT");
+  ASSERT_THAT(read.rows, SizeIs(1));
+  EXPECT_EQ(read.rows[0].quantity, 2);
+  EXPECT_EQ(only(readHabit(replaced(cadPanel(), "Name: FRONT", "Name: %%uFRONT%%u"))).name, "FRONT");
+}
+
+TEST(DxfHabits, OutlinesThatHoldNothing) {
+  Made made;
+  made.block("FRONT_38").says("Size: 38").line(1, {{0, 0}, {400, 0}, {400, 0}, {0, 0}}, true);
+  EXPECT_THAT(why(made.endBlock().done()), HasSubstr("holds no cloth"));
+  EXPECT_THAT(told(readHabit(cadPanel("0\nPOINT\n8\n4\n10\n150\n20\n200\n"))),
+              HasSubstr("1 notch lies apart from the outline and was left out"));
+}
+
 TEST(DxfHabits, ABlockWithoutAnOutlineIsTold) {
   Made made;
   made.block("FRONT_38").says("Piece Name: FRONT").says("Size: 38").line(1, kPanel, true).endBlock();

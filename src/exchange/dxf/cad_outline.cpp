@@ -202,6 +202,9 @@ Result<std::vector<Flat>> pointsOf(const CadPiece& drawn, const SeamLines& seams
   if (seams.outline) return *seams.outline;
   Flat gap, other;
   auto points = chained(drawn.boundary, gap);
+  if (!points &&
+      std::any_of(drawn.boundary.begin(), drawn.boundary.end(), [](const CadLine& one) { return one.closed; }))
+    return badInput(say("the outline lies in a line and holds no cloth."));
   if (!points)
     return badInput(say("the outline is open at {0}, {1} mm.", fixed(gap.u * 1e3, 1), fixed(gap.v * 1e3, 1)));
   if (auto more = chained(drawn.dense, other); more && holdsAll(*more, *points)) return *std::move(more);
@@ -267,7 +270,10 @@ class Making {
   Result<Outline> outline() {
     auto points = pointsOf(drawn_, seams_);
     if (!points) return wrong(points.error().what);
-    if (points->size() > kMostVertices) return wrong(say("the outline has more than {0} points.", kMostVertices));
+    if (points->size() > kMostVertices)
+      return wrong(
+          say("the outline has more than {0} points. Write the file with fewer; a tolerance of 0.1 mm is enough.",
+              kMostVertices));
     if (std::max({drawn_.notches.size(), drawn_.drills.size(), drawn_.inside.size(), drawn_.cutouts.size()}) >
         kMostMarks)
       return wrong(say("it has more than {0} notches, holes or lines.", kMostMarks));
@@ -356,7 +362,7 @@ class Making {
       if (notch.inward) other.inward = reflected(*notch.inward, {}, *axis_);
       add(other);
     }
-    if (off > 0) note(say("{0} notches lie apart from the outline and were left out.", off));
+    if (off > 0) note(say("{0} {0|notch lies|notches lie} apart from the outline and {0|was|were} left out.", off));
     for (const Flat drill : drawn_.drills) {
       const auto hole = [&](Flat place) {
         piece_.marks.push_back({"drill" + std::to_string(++drills_), "", 0, place});

@@ -137,6 +137,12 @@ class Drawing {
     for (Flat& p : shape.points) p = frame(below ? Flat{-p.u, p.v} : p);
     if (shape.heading)
       if (const Flat way = frame.turned(*shape.heading); length(way) > 0) shape.heading = normalized(way);
+    if (entity.is("MTEXT"))  // several lines in one
+      for (auto end = shape.words.find("\\P"); end != std::string_view::npos; end = shape.words.find("\\P")) {
+        DxfShape& above = shapes.emplace_back(shape);
+        above.words = shape.words.substr(0, end);
+        shape.words.remove_prefix(end + 2);
+      }
     shapes.push_back(std::move(shape));
     return {};
   }

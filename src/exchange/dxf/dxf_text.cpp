@@ -55,6 +55,30 @@ std::string withEscapes(std::string_view text) {
   return out;
 }
 
+// Lettering without how it is lettered: "{\fArial|b0;Front}" of MTEXT, "%%uFront" of TEXT.
+std::string plainLettering(std::string_view text) {
+  std::string out;
+  bool any = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.substr(i, 2) == "%%" && i + 2 < text.size() &&
+        std::string_view("uUoO").find(text[i + 2]) != std::string_view::npos) {
+      i += 2;
+      continue;
+    }
+    const bool code = text[i] == '\\' && i + 1 < text.size() &&
+                      std::string_view("fFHhWQTCcAp").find(text[i + 1]) != std::string_view::npos;
+    const std::size_t end = code ? text.find_first_of(";\\{}", i + 1) : std::string_view::npos;
+    if (end != std::string_view::npos && text[end] == ';') {
+      any = true;
+      i = end;
+      continue;
+    }
+    out += text[i];
+  }
+  if (any) std::erase_if(out, [](char c) { return c == '{' || c == '}'; });
+  return out;
+}
+
 }  // namespace
 
 DxfWords::DxfWords(const DxfFile& file) {
@@ -87,8 +111,9 @@ std::string DxfWords::operator()(std::string_view bytes) const {
   const auto first = bytes.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   bytes = bytes.substr(first, bytes.find_last_not_of(" \t") + 1 - first);
-  if (codePage_.empty() || isAscii(bytes)) return cleanText(withEscapes(bytes));
-  return cleanText(withEscapes(decoded(bytes, codePage_).value_or(std::string(bytes))));
+  const bool asItIs = codePage_.empty() || isAscii(bytes);
+  const std::string letters = asItIs ? std::string(bytes) : decoded(bytes, codePage_).value_or(std::string(bytes));
+  return cleanText(withEscapes(plainLettering(letters)));
 }
 
 }  // namespace karinui
