@@ -13,6 +13,7 @@ namespace karinui {
 namespace {
 
 constexpr std::size_t kMostPanels = 2000, kMostEdges = 60000;
+constexpr double kLongest = 12;  // metres: no panel is longer, so the file's unit is another one
 
 struct Panel {
   std::string name;
@@ -178,8 +179,10 @@ Result<std::vector<std::string>> panelNames(const Json& pattern, const Json& pan
   std::set<std::string> listed;
   if (const Json* order = member(pattern, "panel_order"); order && order->is_array())
     for (const Json& name : *order) {
-      if (!name.is_string() || !panels.contains(name.get_ref<const std::string&>()))
-        return badInput(say("The panel_order names a panel that is not there."));
+      if (!name.is_string()) return badInput(say("The panel_order must be a list of the panels' names."));
+      if (!panels.contains(name.get_ref<const std::string&>()))
+        return badInput(
+            say("The panel_order names the panel \"{0}\", which is not there.", shown(name.get<std::string>())));
       if (listed.insert(name.get<std::string>()).second) names.push_back(name.get<std::string>());
     }
   std::set<std::string> rest;
@@ -268,6 +271,20 @@ class StitchReader {
   const Pattern& pattern_;
 };
 
+Done ofPlausibleSize(const Pattern& pattern, double metres) {
+  for (const auto& [id, piece] : pattern.pieces) {
+    FlatBox box;
+    for (const Flat p : piece->outline.flattened(1e-3)) box.include(p);
+    const double longest = std::max(box.size().u, box.size().v);
+    if (longest > kLongest)
+      return badInput(
+          say("Panel \"{0}\" would be {1} m long, for units_in_meter is {2}. Write 100 there if the numbers are "
+              "centimetres, 1000 if they are millimetres.",
+              piece->name, fixed(longest, 0), fixed(1 / metres, 0)));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Pattern> readGarmentCode(std::string_view json) {
@@ -308,6 +325,7 @@ Result<Pattern> readGarmentCode(std::string_view json) {
     out.pieces[panel->piece.id] = std::make_shared<const Piece>(panel->piece);
     read.push_back(*std::move(panel));
   }
+  if (const Done plausible = ofPlausibleSize(out, metres); !plausible) return plausible.error();
   if (const Json* stitches = member(*pattern, "stitches")) {
     Result<std::vector<Seam>> seams = StitchReader(read, out).read(*stitches, ours);
     if (!seams) return seams.error();

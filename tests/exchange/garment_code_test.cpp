@@ -232,7 +232,10 @@ TEST(GarmentCode, RefusesWithASentence) {
   EXPECT_NE(sentence(square("", R"(,"stitches":[[{"panel":"p","edge":-1},{"panel":"p","edge":1}]])")), "accepted");
   EXPECT_NE(sentence(square("", R"(,"stitches":{})")), "accepted");
   EXPECT_NE(sentence(square("", R"(,"panels":{})")).find("twice"), std::string::npos);
-  EXPECT_NE(sentence(square("", R"(,"panel_order":["q"])")).find("panel_order"), std::string::npos);
+  EXPECT_NE(sentence(square("", R"(,"panel_order":["q"])")).find("panel_order names the panel \"q\""),
+            std::string::npos);
+  EXPECT_NE(sentence(square("", R"(},"properties":{"units_in_meter":1)")).find("20 m long, for units_in_meter is 1."),
+            std::string::npos);
   EXPECT_NE(sentence(square("", R"(,"panel_order":[7])")).find("panel_order"), std::string::npos);
   std::string open = square("");
   open.replace(open.find("[3,0]"), 5, "[3,1]");
