@@ -221,9 +221,13 @@ void FitPanel::fillReport() {
   std::vector<QString> head{then_ ? lengthText(0).section(' ', -1) : QString(), inWords(say("body")),
                             inWords(say("garment")), inWords(say("ease"))};
   if (then_) head.push_back(inWords(say("left")));
+  constexpr double kThere = 0.005;  // metres: so near it is that level
   QString table = row(head);
   for (const Girths& g : now) {
-    std::vector<QString> cells{inWords(g.name), number(g.body), number(g.garment), number(g.garment - g.body)};
+    const QString where = std::fabs(g.off) < kThere ? inWords(g.name)
+                          : g.off < 0 ? inWords(say("{0}, {1} below it", g.name, lengthText(-g.off).toStdString()))
+                                      : inWords(say("{0}, {1} above it", g.name, lengthText(g.off).toStdString()));
+    std::vector<QString> cells{where, number(g.body), number(g.garment), number(g.garment - g.body)};
     if (then_)
       for (const Girths& before : girthsAt(*then_, g.height))
         if (before.what == g.what) cells.push_back(number(before.garment));

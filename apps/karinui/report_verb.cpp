@@ -86,8 +86,12 @@ Result<std::vector<ReportPicture>> picturesOf(Program& program, const Fitting& f
 
 ReportTable girthTable(const GarmentSnapshot& garment) {
   ReportTable table{say("Ease"), {Message(), say("body"), say("garment"), say("ease")}, {}};
+  constexpr double kThere = 0.005;  // metres: so near it is that level
   for (const Girths& g : girthsOf(garment))
-    table.rows.push_back({g.name, cmSaid(g.body), cmSaid(g.garment), cmSaid(g.garment - g.body)});
+    table.rows.push_back({std::fabs(g.off) < kThere ? g.name
+                          : g.off < 0               ? say("{0}, {1} below it", g.name, cmSaid(-g.off))
+                                                    : say("{0}, {1} above it", g.name, cmSaid(g.off)),
+                          cmSaid(g.body), cmSaid(g.garment), cmSaid(g.garment - g.body)});
   return table;
 }
 

@@ -49,6 +49,10 @@ class Boxes {
 
 constexpr double kOpen = std::numbers::pi / 2;  // an open front is still a garment round the body
 
+// Metres from a level that a garment's edge still belongs to: the upper one of a skirt, which hangs a little lower
+// where the cloth or the skin is rounded, and the lower one of a bodice.
+constexpr double kEdgeBelow = 0.04, kEdgeAbove = 0.02, kEdgeStep = 0.0025;
+
 // Metres. In the fold of an armpit the tape would be drawn out towards the arms, and above it goes round them.
 constexpr double kUnderArmpit = 0.003;
 
@@ -213,6 +217,17 @@ Result<PressedFrame> pressedFrame(const GarmentSnapshot& snapshot, Workers& work
   return PressedFrame{pressureFrame(snapshot, values), top};
 }
 
+namespace {
+
+// Round the trunk, where the garment goes round it.
+std::optional<Girths> trunkAt(const GarmentSnapshot& snapshot, double height) {
+  for (Girths& girths : girthsAt(snapshot, height))
+    if (girths.what == Girths::Round::Trunk && girths.garment > 0) return std::move(girths);
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {
   std::vector<Girths> all;
   if (!snapshot.body) return all;
@@ -236,19 +251,29 @@ std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot) {
     const auto now = heightOf(place), before = heightOn(snapshot.body->own(), place);
     return own != measured.end() && now && before ? std::optional(own->second + *now - *before) : now;
   };
-  const std::pair<std::optional<double>, Message> levels[] = {
-      {armpit, say("armpit")},
-      {levelOf("bust_height", "torso:bust@0"), say("bust")},
-      {levelOf("under_bust_height", "torso:under_bust@0"), say("under bust")},
-      {levelOf("waist_height", "torso:waist@0"), say("waist")},
-      {levelOf("hip_height", "torso:hip@0"), say("hip")}};
-  for (const auto& [height, name] : levels)
-    if (height)
-      for (Girths& girths : girthsAt(snapshot, *height)) {
-        if (girths.what != Girths::Round::Trunk || girths.garment <= 0) continue;
-        girths.name = name;
-        all.push_back(std::move(girths));
-      }
+  struct Level {
+    std::optional<double> height;
+    Message name;
+    bool edge = false;  // garments begin and end there
+  };
+  const Level levels[] = {{armpit, say("armpit")},
+                          {levelOf("bust_height", "torso:bust@0"), say("bust")},
+                          {levelOf("under_bust_height", "torso:under_bust@0"), say("under bust")},
+                          {levelOf("waist_height", "torso:waist@0"), say("waist"), true},
+                          {levelOf("high_hip_height", "torso:high_hip@0"), say("high hip"), true},
+                          {levelOf("hip_height", "torso:hip@0"), say("hip")}};
+  for (const Level& level : levels) {
+    if (!level.height) continue;
+    auto girths = trunkAt(snapshot, *level.height);
+    for (double away = kEdgeStep; level.edge && !girths && away < kEdgeBelow + kEdgeStep / 2; away += kEdgeStep) {
+      girths = trunkAt(snapshot, *level.height - away);
+      if (!girths && away < kEdgeAbove + kEdgeStep / 2) girths = trunkAt(snapshot, *level.height + away);
+    }
+    if (!girths) continue;
+    girths->name = level.name;
+    girths->off = girths->height - *level.height;
+    all.push_back(*std::move(girths));
+  }
   struct LegLevel {
     const char* place;
     Message left, right;

@@ -170,6 +170,29 @@ TEST(Fit, TellsTheGirthsThatTheTapeFound) {
   EXPECT_EQ(told.size(), 3u);
 }
 
+// A skirt's upper edge hangs a little below the waist, a bodice's lower one a little above it: both are measured there.
+TEST(Fit, TellsTheGirthAtTheEdgeOfASkirt) {
+  Workers alone(1);
+  const auto body = makeMannequin(*builtInSize("eu40"), alone, Token());
+  ASSERT_TRUE(body) << text(body.error().what);
+  const double waist = (*body)->measured().value.at("waist_height");
+  const auto told = [&](double top) {
+    std::map<std::string, Girths> all;
+    for (Girths& girths : girthsOf(tubesOn(*body, {{0, 0, 0.22}}, top))) all[text(girths.name)] = std::move(girths);
+    return all;
+  };
+  const auto skirt = told(waist - 0.012);
+  ASSERT_TRUE(skirt.contains("waist"));
+  EXPECT_NEAR(skirt.at("waist").garment, 2 * std::numbers::pi * 0.22, 0.01);
+  EXPECT_NEAR(skirt.at("waist").body, (*body)->measured().value.at("waist_girth"), 0.02);
+  EXPECT_NEAR(skirt.at("waist").off, -0.0125, 1e-9) << "and how far from the waist that is";
+  ASSERT_TRUE(skirt.contains("high hip"));
+  EXPECT_EQ(skirt.at("high hip").off, 0);
+  EXPECT_TRUE(skirt.contains("hip"));
+  EXPECT_FALSE(skirt.contains("under bust"));
+  EXPECT_FALSE(told(waist - 0.06).contains("waist")) << "that is no edge at the waist";
+}
+
 // An arm that is raised moves no level of the trunk below it.
 TEST(Fit, TellsTheSameGirthsWithAnArmRaised) {
   Workers alone(1);

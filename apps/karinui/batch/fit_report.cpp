@@ -78,9 +78,9 @@ struct Level {
   std::vector<double> ease;  // cm
 };
 std::vector<Level> levelsOf(const BatchTable& table, const Section& section) {
-  static const Message kOrder[] = {say("armpit"),     say("bust"),       say("under bust"),  say("waist"),
-                                   say("hip"),        say("left thigh"), say("right thigh"), say("left knee"),
-                                   say("right knee"), say("left ankle"), say("right ankle")};
+  static const Message kOrder[] = {say("armpit"),    say("bust"),       say("under bust"), say("waist"),
+                                   say("high hip"),  say("hip"),        say("left thigh"), say("right thigh"),
+                                   say("left knee"), say("right knee"), say("left ankle"), say("right ankle")};
   std::vector<Level> levels;
   for (const Message& name : kOrder) {
     std::string column = name.pattern;

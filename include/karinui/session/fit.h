@@ -53,12 +53,14 @@ struct Girths {
   Round what = Round::Trunk;
   double height = 0;               // metres above the floor
   Message name;                    // of a level of the body, else empty
+  double off = 0;                  // metres above that level, below it less than 0: there the garment ends
   double body = 0, garment = 0;    // metres round; 0: nothing there
   std::vector<Vec3> round, under;  // the tape round the garment and round the body, closed; may be empty
 };
 // One; or two where the garment goes round a leg by itself, the left one first.
 std::vector<Girths> girthsAt(const GarmentSnapshot& snapshot, double height);
-// At the levels a tailor asks for that this garment covers, from the top downwards.
+// At the levels a tailor asks for that this garment covers, from the top downwards. A garment that ends at the waist or
+// the high hip seldom reaches the very level: it is measured beside it, at its edge.
 std::vector<Girths> girthsOf(const GarmentSnapshot& snapshot);
 
 // A round number (1, 2 or 5 times a power of ten) that holds 99 of 100 of the values above zero; 0: there are none.
