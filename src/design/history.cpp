@@ -15,7 +15,8 @@ Operation asRecorded(Operation operation) {
         if constexpr (requires { op.copies; })
           if (op.copies == Choice::Auto) op.copies = Choice::No;
         if constexpr (std::is_same_v<decltype(op), AddNotch&> || std::is_same_v<decltype(op), EraseMarks&>)
-          if (op.partners == Choice::Auto) op.partners = Choice::No;
+          for (Choice* one : {&op.partners, &op.zips})
+            if (*one == Choice::Auto) *one = Choice::No;
         if constexpr (std::is_same_v<decltype(op), TakeIn&>)
           if (op.follow == Choice::Auto) op.follow = Choice::No;
         if constexpr (std::is_same_v<decltype(op), MirrorPiece&>)

@@ -2,6 +2,7 @@
 // on a symmetric copy and on the edge it is sewn to it is done likewise, unless Alt is held.
 #include <cmath>
 
+#include "karinui/pattern/fastening.h"
 #include "karinui/pattern/seam_walk.h"
 #include "karinui/pattern/symmetry.h"
 #include "session/gestures.h"
@@ -18,7 +19,7 @@ class NotchGesture : public Gesture {
     if (sample.phase != PointerSample::Phase::Press) return {};
     if (!here_) return {.why = say("A notch lies on the edge of a piece.")};
     const Piece& piece = *context.snapshot->document.find(here_->edge.piece.id);
-    const Choice others = sample.alt ? Choice::No : Choice::Auto;
+    const Choice others = sample.alt ? Choice::No : Choice::Auto;  // and so nothing over a zip
     if (here_->there)
       return {.over = true, .operation = EraseMarks{here_->edge.piece, {}, tenth(here_->paper), others, others}};
     AddNotch notch;
@@ -46,7 +47,10 @@ class NotchGesture : public Gesture {
     shown.table.words.push_back({table, words(context)});
     if (alone_) return shown;
     const Document& document = context.snapshot->document;
-    for (const SeamPlace& there : sewnTo(document.pattern, {here_->edge.piece.id, here_->edge.edge, here_->at}))
+    Fastenings shut = document.allowances.fastenings;
+    for (auto& [name, own] : shut) own.zipped = 1;
+    for (const SeamPlace& there :
+         sewnTo(withZips(document.pattern, shut), {here_->edge.piece.id, here_->edge.edge, here_->at}))
       if (const Curve* curve = curveOf(document.pattern, there.piece, there.edge)) {
         const Flat paper = curve->atFraction(there.fraction);
         showOnPaper(shown, context, there.piece, {paper, paper + inwards(*curve, there.fraction) * kStroke}, kPartner);

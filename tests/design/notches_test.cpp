@@ -115,5 +115,22 @@ TEST(Notches, StepsOfOldStayAlone) {
   EXPECT_TRUE(after->pieceNamed("back")->marks.empty());
 }
 
+// Beside a zip nothing is sewn, and yet both sides are to meet when it is closed.
+TEST(Notches, MeetOverAZip) {
+  Notched t;
+  ASSERT_EQ(t.play(kSewnPaper), "");
+  ASSERT_EQ(t.play("fasten kind=zip a=front.side_left b=back.side_left length=18cm\n"), "");
+  ASSERT_EQ(t.play("notch edge=front.side_left at=0.75\n"), "");
+  EXPECT_EQ(t.on("front"), "side_left@0.750");
+  EXPECT_EQ(t.on("back"), "side_left@0.250");
+  EXPECT_EQ(std::get<AddNotch>(t.file.steps().back().operation).zips, Choice::Yes) << "recorded as decided";
+  ASSERT_EQ(t.play("erase piece=back at=\"-200mm,300mm\"\n"), "");
+  EXPECT_EQ(t.on("front") + t.on("back"), "") << "both go";
+  ASSERT_EQ(t.play("fasten name=zip closed_length=0\nnotch edge=front.side_left at=0.75 zips=no\n"), "");
+  EXPECT_EQ(t.on("back"), "");
+  ASSERT_EQ(t.play("notch edge=front.side_left at=0.8\n"), "");
+  EXPECT_EQ(t.on("back"), "side_left@0.200") << "open, too";
+}
+
 }  // namespace
 }  // namespace karinui

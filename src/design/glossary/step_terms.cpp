@@ -372,6 +372,7 @@ TermTable fieldTerms() {
       {"wrong_print", say("Print of the wrong side")},
       {"within", say("How near")},
       {"within.reshape", say("Cloth comes along within")},
+      {"zips", say("Over a zip, too")},
   };
   return all;
 }

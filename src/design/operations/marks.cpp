@@ -6,6 +6,7 @@
 #include "design/operations/finished_edges.h"
 #include "karinui/base/number.h"
 #include "karinui/geometry/fit_curve.h"
+#include "karinui/pattern/fastening.h"
 #include "karinui/pattern/likeness.h"
 #include "karinui/pattern/seam_walk.h"
 
@@ -118,19 +119,36 @@ bool isMet(const Piece& piece, const Mark& notch) {
                   std::fabs(own.fraction - notch.fraction) * piece.outline.edges[*k].curve.length() < kMeets;
          });
 }
+// The seams, and where `zips` the zips as such, however far they are closed.
+Pattern joinedPattern(const Document& document, bool zips) {
+  if (!zips) return document.pattern;
+  Fastenings shut = document.allowances.fastenings;
+  for (auto& [name, own] : shut) own.zipped = 1;
+  return withZips(document.pattern, shut);
+}
 // Where notches meet the edges that theirs are sewn to.
-std::vector<PlacedMark> onPartners(const Document& document, const std::vector<PlacedMark>& placed) {
+std::vector<PlacedMark> onPartners(const Document& document, const std::vector<PlacedMark>& placed, bool zips) {
+  const Pattern joined = joinedPattern(document, zips);
   std::vector<PlacedMark> all;
   for (const auto& [id, mark] : placed) {
     if (mark.edge.empty()) continue;
-    for (const SeamPlace& there : sewnTo(document.pattern, {id, mark.edge, mark.fraction}))
+    for (const SeamPlace& there : sewnTo(joined, {id, mark.edge, mark.fraction}))
       if (document.find(there.piece)->outline.find(there.edge))
         all.push_back({there.piece, Mark{mark.name, there.edge, there.fraction, {}}});
   }
   return all;
 }
 // A choice about what notches are sewn to: recorded where there is something to choose.
-Done resolvePartners(const std::vector<PlacedMark>& partners, Choice& choice, const Context& context) {
+Done resolvePartners(const std::function<std::vector<PlacedMark>(bool zips)>& find, Choice& choice, Choice& zips,
+                     const Context& context) {
+  std::vector<PlacedMark> partners = find(false);
+  if (!context.recorded && zips != Choice::No && choice != Choice::No) {
+    auto more = find(true);
+    zips = more.size() > partners.size() ? Choice::Yes : Choice::Auto;
+    if (zips == Choice::Yes) partners = std::move(more);
+  } else if (zips == Choice::Yes) {
+    partners = find(true);
+  }
   if (choice == Choice::Auto && context.recorded) return {};
   if (!partners.empty()) {
     if (choice == Choice::Auto) choice = Choice::Yes;
@@ -280,9 +298,9 @@ Result<Erased> whatGoes(const Document& document, const EraseMarks& op) {
   return taken;
 }
 // The notches that meet those that go.
-std::vector<PlacedMark> partnersErased(const Document& document, const Erased& taken) {
+std::vector<PlacedMark> partnersErased(const Document& document, const Erased& taken, bool zips) {
   std::vector<PlacedMark> all;
-  for (const PlacedMark& there : onPartners(document, taken.marks))
+  for (const PlacedMark& there : onPartners(document, taken.marks, zips))
     for (const Mark& own : document.find(there.first)->marks) {
       Piece alone = *document.find(there.first);
       alone.marks = {own};
@@ -316,7 +334,8 @@ Done resolve(const Document& before, AddNotch& op, Context& context) {
   if (!(op.at >= 0 && op.at <= 1)) return refused(say("A notch lies between 0, the edge's beginning, and 1, its end."));
   if (Done done = checkSymmetric(*before.find(op.piece.id), op.symmetric, op.edge.edge, op.at, context); !done)
     return done;
-  return resolvePartners(onPartners(before, notchesOf(before, op)), op.partners, context);
+  return resolvePartners([&](bool zips) { return onPartners(before, notchesOf(before, op), zips); }, op.partners,
+                         op.zips, context);
 }
 
 Result<Document> perform(const Document& before, const AddNotch& op, Context&) {
@@ -329,7 +348,7 @@ Result<Document> perform(const Document& before, const AddNotch& op, Context&) {
   };
   for (const PlacedMark& one : all) add(one);
   if (op.partners == Choice::Yes)
-    for (const PlacedMark& one : onPartners(before, all))
+    for (const PlacedMark& one : onPartners(before, all, op.zips == Choice::Yes))
       if (!isMet(*after.find(one.first), one.second)) add(one);
   return after;
 }
@@ -397,7 +416,8 @@ Done resolve(const Document& before, EraseMarks& op, Context& context) {
   }
   const auto taken = whatGoes(before, op);
   if (!taken) return taken.error();
-  return resolvePartners(partnersErased(before, *taken), op.partners, context);
+  return resolvePartners([&](bool zips) { return partnersErased(before, *taken, zips); }, op.partners, op.zips,
+                         context);
 }
 
 Result<Document> perform(const Document& before, const EraseMarks& op, Context&) {
@@ -405,7 +425,7 @@ Result<Document> perform(const Document& before, const EraseMarks& op, Context&)
   if (!taken) return taken.error();
   std::vector<PlacedMark> marks = taken->marks;
   if (op.partners == Choice::Yes)
-    for (PlacedMark& one : partnersErased(before, *taken)) marks.push_back(std::move(one));
+    for (PlacedMark& one : partnersErased(before, *taken, op.zips == Choice::Yes)) marks.push_back(std::move(one));
   Document after = before;
   std::set<PieceId> pieces{op.piece.id};
   for (const auto& [id, line] : taken->lines) pieces.insert(id);

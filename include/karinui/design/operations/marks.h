@@ -14,6 +14,9 @@ namespace karinui {
 inline constexpr std::string_view kPartnersHelp =
     "of a notch: where it meets the edges this one is sewn to, too: auto, yes, no (auto: yes, but no in a record that "
     "does not have it)";
+inline constexpr std::string_view kOverZipsHelp =
+    "of a notch: what it meets over a zip has it too: auto, yes, no (auto: yes, but no in a record that does not have "
+    "it)";
 
 struct SetGrain {
   static constexpr std::string_view kName = "grain";
@@ -40,7 +43,7 @@ struct AddNotch {
   std::optional<Flat> point;
   std::string name;
   bool symmetric = false;
-  Choice copies = Choice::Auto, partners = Choice::Auto;
+  Choice copies = Choice::Auto, partners = Choice::Auto, zips = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("edge", self.edge, "the edge to notch", kOptional);
@@ -51,6 +54,7 @@ struct AddNotch {
     visit("symmetric", self.symmetric, "yes: on the other half of a symmetric piece too", kOptional);
     visit("copies", self.copies, kCopiesHelp, kOptional);
     visit("partners", self.partners, kPartnersHelp, kOptional);
+    visit("zips", self.zips, kOverZipsHelp, kOptional);
   }
   bool operator==(const AddNotch&) const = default;
 };
@@ -82,7 +86,7 @@ struct EraseMarks {
   PieceRef piece;
   std::vector<std::string> names;
   std::optional<Flat> at;
-  Choice copies = Choice::Auto, partners = Choice::Auto;
+  Choice copies = Choice::Auto, partners = Choice::Auto, zips = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece", kNeeded);
@@ -90,6 +94,7 @@ struct EraseMarks {
     visit("at", self.at, "or a place on its paper: the nearest within 1 cm goes", kOptional);
     visit("copies", self.copies, kCopiesHelp, kOptional);
     visit("partners", self.partners, kPartnersHelp, kOptional);
+    visit("zips", self.zips, kOverZipsHelp, kOptional);
   }
   bool operator==(const EraseMarks&) const = default;
 };
