@@ -127,5 +127,29 @@ TEST_F(TurnedBack, IsReadFromTheFileAsItWasCut) {
   std::filesystem::remove_all(folder);
 }
 
+// The lapels of two fronts that are still sewn to each other along all of the middle.
+TEST(LapelsSewnUp, AreTold) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  std::string said;
+  room.context.advise = [&](const Advice& one) { said += text(one.what) + "\n"; };
+  const auto play = [&](const char* script) {
+    said.clear();
+    const Done done = room.play(file, script);
+    ASSERT_TRUE(done) << text(done.error().what);
+  };
+  play(
+      "piece name=front_left outline=\"M 0 0; hem L 250 0; side L 250 500; neck L 0 500; centre L 0 0\"\n"
+      "mirror piece=front_left name=front_right\nsew a=front_left.centre b=front_right.centre name=opening\n"
+      "line piece=front_left along=\"0,200mm; 80mm,500mm\" name=roll\n");
+  play("fold piece=front_left line=roll angle=170deg turned=yes\n");
+  EXPECT_THAT(said, HasSubstr("still sewn to right front, by seam"));
+  ASSERT_TRUE(file.undo(room.context));
+  play(
+      "unsew seam=opening\nsew a=front_left.centre@0.65:1 b=front_right.centre@0:0.35\n"
+      "fold piece=front_left line=roll angle=170deg turned=yes\n");
+  EXPECT_THAT(said, ::testing::Not(HasSubstr("still sewn")));
+}
+
 }  // namespace
 }  // namespace karinui

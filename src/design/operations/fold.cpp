@@ -5,7 +5,9 @@
 #include "design/operations/finished_edges.h"
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
+#include "design/spoken.h"
 #include "karinui/base/number.h"
+#include "karinui/design/glossary.h"
 #include "karinui/pattern/turn_back.h"
 
 namespace karinui {
@@ -91,6 +93,34 @@ void tellTight(const Piece& piece, const FoldLine& op, const Context& context) {
        {},
        {},
        Operation(mend)});
+}
+
+// What is turned back on both of two fronts opens only where they are not sewn to each other.
+void tellHeld(const Document& document, const FoldLine& op, const Context& context) {
+  constexpr double kTold = 0.01;  // metres of the seam
+  constexpr int kLooks = 50;
+  if (!context.advise) return;
+  const Piece& piece = *document.find(op.piece.id);
+  const Parting parting(piece, lineNamed(piece, op.lines.front()));
+  const std::vector<PieceId> copies = copiesMeant(document, piece.id, op.copies);
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto& [own, other] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)}) {
+      if (own->size() != 1 || other->size() != 1 || own->front().piece != piece.id ||
+          std::find(copies.begin(), copies.end(), other->front().piece) == copies.end())
+        continue;
+      const EdgeSpan& span = own->front();
+      const Edge* edge = findEdge(piece, span.edge);
+      if (!edge) continue;
+      int beyond = 0;
+      for (int k = 0; k < kLooks; ++k)
+        beyond += parting.beyond(edge->curve.atFraction(std::lerp(span.from, span.to, (k + 0.5) / kLooks)));
+      if (beyond * edge->curve.length() * (span.to - span.from) / kLooks < kTold) continue;
+      return context.advise(
+          {say("What is turned back is still sewn to {0}, by seam {1}, and cannot open: unpick that seam, and sew what "
+               "lies below the fold again, or button it.",
+               nameSaid(document.find(other->front().piece)->name), spoken(seam)),
+           piece.id});
+    }
 }
 
 // The smaller part laid back over the rest, where that is.
@@ -213,7 +243,7 @@ Result<Document> perform(const Document& before, const FoldLine& op, Context& co
     if (!shaped) return shaped.error();
     cut = withEdit(std::move(cut), shaped->edited);
   }
-  if (op.turned) tellTight(old, op, context);
+  if (op.turned) tellTight(old, op, context), tellHeld(before, op, context);
   auto after = folded(std::move(cut), old, op, before.settings.spacing);
   for (const PieceId id : copiesMeant(before, op.piece.id, op.copies)) {
     if (!after) return after;
