@@ -16,6 +16,7 @@
 #include "karinui/pattern/symmetry.h"
 #include "karinui/pattern/truing.h"
 #include "main_window.h"
+#include "menu_letters.h"
 #include "new_pieces.h"
 #include "theme.h"
 
@@ -33,6 +34,7 @@ QMenu* contextMenuOf(QMainWindow& window) {
   auto* menu = new QMenu(&window);
   menu->setObjectName("context");
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  keepLetters(*menu);
   QStatusBar* foot = window.statusBar();
   QObject::connect(menu, &QMenu::hovered, foot, [foot](const QAction* entry) {
     if (entry->statusTip().isEmpty()) foot->clearMessage();
@@ -259,6 +261,7 @@ void MainWindow::addScanOperations(QMenu& menu, const std::string& name) {
 
 void MainWindow::offer(QMenu& menu, const Message& words, std::function<void()> what) {
   QAction* action = menu.addAction(inWords(words));
+  action->setProperty(kEnglish, QString::fromStdString(text(words)));
   action->setEnabled(!session_->readOnly());
   connect(action, &QAction::triggered, this, [this, what = std::move(what)] {
     what();
@@ -346,7 +349,17 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
       offer(*menu, say("Sew {0} on here…", session_->snapshot().document.find(patch_->piece.id)->name),
             [this, patch = *patch_] { askNumbers(patch); });
   }
-  if (!chosen.pieces.empty()) addPieceOperations(*menu, chosen);
+  if (!chosen.pieces.empty() && chosen.edge) {  // of an edge most is about that, and all of it has to fit the screen
+    const Piece* piece = session_->snapshot().document.find(*chosen.pieces.begin());
+    const Message words = chosen.pieces.size() == 1 && piece ? say("Piece {0}", nameSaid(piece->name))
+                                                             : say("The {0} {0|piece|pieces}", chosen.pieces.size());
+    QMenu* whole = menu->addMenu(inWords(words));
+    whole->setObjectName("context_piece");
+    whole->menuAction()->setProperty(kEnglish, QString::fromStdString(text(words)));
+    addPieceOperations(*whole, chosen);
+  } else if (!chosen.pieces.empty()) {
+    addPieceOperations(*menu, chosen);
+  }
   if (menu->isEmpty())
     for (const Command c : {Command::ViewFront, Command::ViewBack, Command::ViewLeft, Command::ViewRight,
                             Command::ViewOblique, Command::ViewAll})
@@ -565,6 +578,7 @@ void MainWindow::addPieceOperations(QMenu& menu, const Selection& chosen) {
     return std::all_of(pieces.begin(), pieces.end(), [&](const Piece* piece) { return so(*piece); });
   };
   QMenu* fabrics = menu.addMenu(inWords(say("Fabric")));
+  fabrics->menuAction()->setProperty(kEnglish, "Fabric");
   fabrics->setEnabled(!session_->readOnly());
   for (const std::string& name : fabricNames(document)) {
     SetFabric set;

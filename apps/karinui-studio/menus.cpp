@@ -14,6 +14,7 @@
 #include "lay_dialog.h"
 #include "main_window.h"
 #include "make_up_dialog.h"
+#include "menu_letters.h"
 #include "new_pieces.h"
 #include "notices.h"
 #include "pose_dialog.h"
@@ -30,6 +31,11 @@ void keepChosen(const char* key, const QVariant& value) {
   QSettings settings;
   settings.setValue(key, value);
   settings.sync();
+}
+
+void titled(QMenu& menu, const Message& words) {
+  menu.menuAction()->setProperty(kEnglish, QString::fromStdString(text(words)));
+  Theme::here().keep(&menu, [&menu, words] { menu.setTitle(inWords(words)); });
 }
 
 }  // namespace
@@ -112,6 +118,7 @@ void MainWindow::makeMenus() {
   makeWorkMenu();
   makeViewMenu();
   makeHelpMenu();
+  for (QMenu* one : menuBar()->findChildren<QMenu*>()) keepLetters(*one);
   makeToolBars(ofFile);
 }
 
@@ -121,10 +128,10 @@ std::vector<QAction*> MainWindow::makeFileMenu() {
   QAction* fresh = add(file, say("New garment…"), "new", "Ctrl+N", [this] { askNew(); });
   QAction* open = add(file, say("Open…"), "open", "Ctrl+O", [this] { askOpen(); });
   recent_ = file->addMenu(QString());
-  Theme::here().keep(recent_, [this] { recent_->setTitle(inWords(say("Recent"))); });
+  titled(*recent_, say("Recent"));
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   QMenu* examples = file->addMenu(QString());
-  Theme::here().keep(examples, [examples] { examples->setTitle(inWords(say("Examples"))); });
+  titled(*examples, say("Examples"));
   const std::pair<const char*, Message> made[] = {{"first_tunic", say("A first tunic")},
                                                   {"six_operations", say("The six operations")},
                                                   {"kyoto_fitting", say("A fitting in Kyoto")},
@@ -188,13 +195,13 @@ void MainWindow::makeWorkMenu() {
     if (isTool(about.command)) work->addAction(actions_[about.command]);
   work->addSeparator();
   QMenu* pieces = work->addMenu(QString());
-  Theme::here().keep(pieces, [pieces] { pieces->setTitle(inWords(say("New piece"))); });
+  titled(*pieces, say("New piece"));
   QMenu* details = work->addMenu(QString());
-  Theme::here().keep(details, [details] { details->setTitle(inWords(say("Pleats, trims and fastenings"))); });
+  titled(*details, say("Pleats, trims and fastenings"));
   addNewPieces(*pieces, *details);
   makePoseMenu(work->addMenu(QString()));
   QMenu* blocks = work->addMenu(QString());
-  Theme::here().keep(blocks, [blocks] { blocks->setTitle(inWords(say("Ready blocks"))); });
+  titled(*blocks, say("Ready blocks"));
   fillBlocks(*blocks, *session_, [this] { askNumbers(DraftBlock{}); });
   makeScanMenu(work->addMenu(QString()));
   add(work, say("Make up the pattern…"), "", "", [this] {
@@ -218,7 +225,7 @@ void MainWindow::makeWorkMenu() {
 
 void MainWindow::makePoseMenu(QMenu* poses) {
   poses->setObjectName("poses");
-  Theme::here().keep(poses, [poses] { poses->setTitle(inWords(say("Pose"))); });
+  titled(*poses, say("Pose"));
   for (const NamedPose& pose : namedPoses()) {
     QAction* one = poses->addAction(QString());
     Theme::here().keep(one, pose.said, pose.said);
@@ -243,7 +250,7 @@ void MainWindow::makePoseMenu(QMenu* poses) {
 
 void MainWindow::makeScanMenu(QMenu* scans) {
   scans->setObjectName("scans");
-  Theme::here().keep(scans, [scans] { scans->setTitle(inWords(say("Scans to trace"))); });
+  titled(*scans, say("Scans to trace"));
   connect(scans, &QMenu::aboutToShow, this, [this, scans] {
     scans->clear();
     QAction* lay = scans->addAction(inWords(say("Lay a scan under the pattern…")));
@@ -257,7 +264,7 @@ void MainWindow::makeScanMenu(QMenu* scans) {
 
 void MainWindow::makeSizeMenu(QMenu* sizes) {
   sizes->setObjectName("sizes");
-  Theme::here().keep(sizes, [sizes] { sizes->setTitle(inWords(say("Sizes"))); });
+  titled(*sizes, say("Sizes"));
   connect(sizes, &QMenu::aboutToShow, this, [this, sizes] {
     sizes->clear();
     const Grading grading = session_->snapshot().document.grading;
@@ -299,7 +306,7 @@ void MainWindow::makeViewMenu() {
   viewMenu_->addSeparator();
   QMenu* beside = viewMenu_->addMenu(QString());
   beside->setObjectName("beside");
-  Theme::here().keep(beside, [beside] { beside->setTitle(inWords(say("Beside it"))); });
+  titled(*beside, say("Beside it"));
   connect(beside, &QMenu::aboutToShow, this, [this, beside] { findChild<Beside*>()->fill(*beside, this); });
   makeStereoMenu();
   fullScreen_ = add(viewMenu_, say("Full screen"), "", "F11", [this] { setFullScreen(!isFullScreen()); });

@@ -25,6 +25,7 @@
 #include "karinui/pattern/likeness.h"
 #include "karinui/session/fabric_numbers.h"
 #include "main_window.h"
+#include "menu_letters.h"
 #include "size_box.h"
 #include "step_dialog.h"
 #include "theme.h"
@@ -546,6 +547,7 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
   const auto add = [&](const char* name, const Message& words, Of of, std::function<Operation()> made) {
     QAction* action = menu->addAction(QString());
     action->setObjectName(QString("new_") + name);
+    action->setProperty(kEnglish, QString::fromStdString(text(words)));
     connect(menu, &QMenu::aboutToShow, action, [this, action, of, made, chosen] {
       const auto why = [&]() -> std::optional<Message> {
         if (session_->readOnly()) return say("This garment was opened for reading only; keep a copy to work on it.");

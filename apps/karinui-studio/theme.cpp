@@ -20,6 +20,7 @@
 #include "karinui/design/step_words.h"
 #include "karinui/scene/icon.h"
 #include "karinui/view/image.h"
+#include "menu_letters.h"
 
 namespace karinui::studio {
 
@@ -237,6 +238,7 @@ void Theme::keep(QAction* action, const Message& label, const Message& hint, std
   const std::string name(icon);
   keep(action, [this, action, label, hint, name] {
     action->setText(say(label));
+    action->setProperty(kEnglish, QString::fromStdString(text(label)));
     const QString key = action->shortcut().toString(QKeySequence::NativeText);
     const QString teach = say(hint);
     action->setToolTip("<b>" + say(label) + "</b>" + (key.isEmpty() ? QString() : "  (" + key + ")") + "<br>" + teach);

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "karinui/body/lines.h"
+#include "menu_letters.h"
 #include "studio/afternoon.h"
 
 namespace karinui::studio {
@@ -136,9 +137,9 @@ void AfternoonByKeys::collar() {
   auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
   ASSERT_TRUE(menu);
   const QString wanted = inWords(say("Band along it…"));
-  for (int k = 0; k < 30 && !(menu->activeAction() && menu->activeAction()->text() == wanted); ++k)
+  for (int k = 0; k < 30 && !(menu->activeAction() && withoutLetter(*menu->activeAction()) == wanted); ++k)
     QTest::keyClick(menu, Qt::Key_Down);
-  ASSERT_TRUE(menu->activeAction() && menu->activeAction()->text() == wanted);
+  ASSERT_TRUE(menu->activeAction() && withoutLetter(*menu->activeAction()) == wanted);
   person.inDialog([this](QWidget&) { person.key(Qt::Key_Return); });  // as it is offered: 3.5 cm, sewn
   QTest::keyClick(menu, Qt::Key_Return);
   w.rest();

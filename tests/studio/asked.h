@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "menu_letters.h"
 #include "studio/window.h"
 #include "theme.h"
 
@@ -54,8 +55,9 @@ inline void menuOn(Window& w, const char* of, const char* edge) {
 inline bool choose(Window& w, const QString& words) {
   for (QMenu* menu : w.main().findChildren<QMenu*>("context"))
     for (QAction* action : menu->actions())
-      if (action->text() == words || (words.startsWith("*") && action->text().endsWith(words.mid(1))) ||
-          (words.endsWith("*") && action->text().startsWith(words.chopped(1)))) {
+      if (const QString own = withoutLetter(*action); own == words ||
+                                                      (words.startsWith("*") && own.endsWith(words.mid(1))) ||
+                                                      (words.endsWith("*") && own.startsWith(words.chopped(1)))) {
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
         QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         w.rest();
@@ -66,7 +68,7 @@ inline bool choose(Window& w, const QString& words) {
 
 inline void fromTheMenu(Window& w, const Message& words) {
   for (QAction* action : w.main().findChildren<QAction*>())
-    if (action->text() == inWords(words)) return action->trigger();
+    if (withoutLetter(*action) == inWords(words)) return action->trigger();
   FAIL() << "no such item";
 }
 

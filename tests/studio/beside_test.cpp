@@ -1,5 +1,6 @@
 // Another size, fabric or garment beside the one that is worked on.
 #include "beside.h"
+#include "menu_letters.h"
 
 #include <gmock/gmock.h>
 
@@ -28,7 +29,7 @@ void await(Window& w) {
 // By its menu, as a person chooses it.
 QAction* chosen(QMenu& menu, const QString& words) {
   for (QAction* action : menu.actions()) {
-    if (action->text() == words) return action;
+    if (withoutLetter(*action) == words) return action;
     if (action->menu())
       if (QAction* inner = chosen(*action->menu(), words)) return inner;
   }

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "karinui/exchange/formats.h"
+#include "menu_letters.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
@@ -21,7 +22,7 @@ using testing::UnorderedElementsAreArray;
 
 QAction* actionCalled(MainWindow& window, const QString& words) {
   for (QAction* action : window.findChildren<QAction*>())
-    if (action->text() == words) return action;
+    if (withoutLetter(*action) == words) return action;
   return nullptr;
 }
 

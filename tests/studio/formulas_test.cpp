@@ -14,6 +14,7 @@
 #include "karinui/exchange/measurement_files.h"
 #include "karinui/geometry/section.h"
 #include "measure_drawing.h"
+#include "menu_letters.h"
 #include "studio/window.h"
 #include "variables_dialog.h"
 
@@ -69,7 +70,7 @@ TEST(StudioFormulas, ALengthTypedByFormulaFollowsTheFigureAndTheVariables) {
 
   // The table: a variable, and another edge by it.
   for (QAction* action : w.main().findChildren<QAction*>())
-    if (action->text() == "Variables…") action->trigger();
+    if (withoutLetter(*action) == "Variables…") action->trigger();
   auto* table = w.main().findChild<VariablesDialog*>();
   ASSERT_TRUE(table);
   const auto add = [&](const char* name, const char* formula) {

@@ -12,6 +12,7 @@
 #include <QTreeWidget>
 #include <numbers>
 
+#include "menu_letters.h"
 #include "studio/window.h"
 
 namespace karinui::studio {
@@ -31,12 +32,12 @@ std::vector<std::string> offered() {
   std::vector<std::string> words;
   if (const QMenu* menu = contextMenu())
     for (const QAction* action : menu->actions())
-      if (!action->isSeparator()) words.push_back(action->text().toStdString());
+      if (!action->isSeparator()) words.push_back(withoutLetter(*action).toStdString());
   return words;
 }
 void chooseEntry(Window& w, const char* words) {
   for (QAction* action : contextMenu()->actions())
-    if (action->text() == words) {
+    if (withoutLetter(*action) == words) {
       QTest::mouseClick(contextMenu(), Qt::LeftButton, {}, contextMenu()->actionGeometry(action).center());
       return w.rest();
     }
@@ -52,7 +53,7 @@ TEST(StudioMenus, AFigureTakesAPose) {
   Q_EMIT poses->aboutToShow();
   const auto named = [&](const char* words) -> QAction* {
     for (QAction* one : poses->actions())
-      if (one->text() == words) return one;
+      if (withoutLetter(*one) == words) return one;
     return nullptr;
   };
   QAction* seated = named("Seated");
@@ -108,6 +109,56 @@ TEST(StudioMenus, TheRightButtonOffersWhatCanBeDoneThere) {
   rightClick(w, w.space(), {w.space().freeWidth() / 2, 12});
   EXPECT_THAT(offered(), Contains("Front"));
   chooseEntry(w, "Back");
+}
+
+// Each entry has a letter of its own, in Japanese the one of its English words; the letter chooses it.
+TEST(StudioMenus, ALetterChoosesAnEntry) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  const Flat side = findEdge(*w.session().snapshot().document.pieceNamed("front"), "side_left")->curve.atFraction(0.5);
+  const auto lettersOf = [&] {
+    std::multimap<QString, QString> letters;  // by the letter, the words
+    for (const QAction* action : contextMenu()->actions()) {
+      if (action->isSeparator()) continue;
+      const QString letter = QKeySequence::mnemonic(action->text()).toString().right(1);
+      EXPECT_FALSE(letter.isEmpty()) << action->text().toStdString();
+      letters.emplace(letter, withoutLetter(*action));
+    }
+    return letters;
+  };
+  rightClick(w, w.table(), w.onTable("front", side));
+  const auto english = lettersOf();
+  ASSERT_EQ(english.count("N"), 1u);
+  EXPECT_EQ(english.find("N")->second, "Notch there");
+  EXPECT_EQ(english.count("Z"), 1u);
+  EXPECT_THAT(offered(), Not(Contains("Freeze"))) << "what is about the piece stands in a menu of its own";
+  EXPECT_THAT(offered(), Contains("Piece front"));
+  const auto* piece = w.main().findChild<QMenu*>("context_piece");
+  ASSERT_TRUE(piece);
+  EXPECT_TRUE(std::any_of(piece->actions().begin(), piece->actions().end(),
+                          [](const QAction* one) { return withoutLetter(*one) == "Freeze"; }));
+  const std::size_t before = w.count();
+  QTest::keyClick(contextMenu(), Qt::Key_N);
+  w.rest();
+  ASSERT_EQ(w.count(), before + 1);
+  EXPECT_THAT(w.last(), StartsWith("notch "));
+  Theme::here().setLanguage(Language::Japanese);
+  w.rest();
+  rightClick(w, w.table(), w.onTable("front", side));
+  const auto japanese = lettersOf();
+  for (const QAction* action : contextMenu()->actions())
+    if (withoutLetter(*action) == inWords(say("Notch there"))) {
+      EXPECT_THAT(action->text().toStdString(), testing::EndsWith("(&N)"));
+    } else if (withoutLetter(*action) == inWords(say("Pleats…"))) {
+      EXPECT_THAT(action->text().toStdString(), testing::EndsWith(")…"));
+    }
+  EXPECT_EQ(japanese.size(), english.size());
+  QTest::keyClick(contextMenu(), Qt::Key_N);
+  w.rest();
+  EXPECT_EQ(w.count(), before + 2);
+  Theme::here().setLanguage(Language::English);
 }
 
 // A roll line runs out along the front edge: what lies right under the pointer is meant, not what is near it.
@@ -245,9 +296,9 @@ TEST(StudioMenus, WhereThereIsNoOtherSizeTheMenuSaysWhy) {
   EXPECT_TRUE(menu->toolTipsVisible());
   QAction* sizes = nullptr;
   for (QAction* one : menu->actions())
-    if (one->text().startsWith("Another size")) sizes = one;
+    if (withoutLetter(*one).startsWith("Another size")) sizes = one;
   ASSERT_TRUE(sizes);
-  EXPECT_EQ(sizes->text(), "Another size – this garment has none") << "to be read at once";
+  EXPECT_EQ(withoutLetter(*sizes), "Another size – this garment has none") << "to be read at once";
   EXPECT_FALSE(sizes->isEnabled());
   EXPECT_THAT(sizes->toolTip().toStdString(), testing::HasSubstr("no sizes"));
 }

@@ -15,6 +15,7 @@
 #include "drafts.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/script.h"
+#include "menu_letters.h"
 #include "new_pieces.h"
 #include "outline_drawing.h"
 #include "step_dialog.h"
@@ -470,7 +471,7 @@ TEST(StudioNewPieces, APleatIsFoldedByThreeDrawnLines) {
   menuOnLine(-0.1);
   int offered = 0;
   for (QMenu* menu : w.main().findChildren<QMenu*>("context"))
-    for (QAction* action : menu->actions()) offered += action->text().startsWith("Pleat:");
+    for (QAction* action : menu->actions()) offered += withoutLetter(*action).startsWith("Pleat:");
   EXPECT_EQ(offered, 1) << "to the side where two lines are";
   ASSERT_TRUE(choose(w, QString::fromUtf8("Pleat: fold line onto line 3…")));
   Numbers numbers(w);

@@ -15,6 +15,7 @@
 #include "karinui/design/script.h"
 #include "karinui/pattern/cut_line.h"
 #include "length_choice.h"
+#include "menu_letters.h"
 #include "studio/window.h"
 #include "table_print.h"
 
@@ -615,7 +616,7 @@ TEST(StudioPaper, AScanIsDroppedScaledByItsSquareTurnedAndTraced) {
     w.drag(w.table(), {there({0.31, 0.30})}, {}, {}, Qt::RightButton);
     for (QMenu* menu : w.main().findChildren<QMenu*>("context"))
       for (QAction* action : menu->actions())
-        if (action->text() == inWords(words)) action->trigger(), menu->close();
+        if (withoutLetter(*action) == inWords(words)) action->trigger(), menu->close();
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     w.rest();
   };
@@ -635,7 +636,7 @@ TEST(StudioPaper, AScanIsDroppedScaledByItsSquareTurnedAndTraced) {
   bool below = false;
   for (QMenu* menu : w.main().findChildren<QMenu*>("context")) {
     for (QAction* action : menu->actions())
-      below |= action->menu() && action->text() == inWords(say("Scan “{0}”", say("scan")));
+      below |= action->menu() && withoutLetter(*action) == inWords(say("Scan “{0}”", say("scan")));
     menu->close();
   }
   EXPECT_TRUE(below);

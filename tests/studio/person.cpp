@@ -1,4 +1,5 @@
 #include "studio/person.h"
+#include "menu_letters.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -111,7 +112,7 @@ void Person::choose(const Message& item) {
   auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
   ASSERT_TRUE(menu) << "no menu is open";
   for (QAction* action : menu->actions())
-    if (action->text() == inWords(item)) {
+    if (withoutLetter(*action) == inWords(item)) {
       ASSERT_TRUE(action->isEnabled());
       count("click");
       QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());

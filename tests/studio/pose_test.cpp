@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "menu_letters.h"
 #include "pose_dialog.h"
 #include "pose_view.h"
 #include "studio/window.h"
@@ -30,7 +31,7 @@ struct Posing {
   Posing() {
     w.openTunic();
     for (QAction* action : w.main().findChildren<QAction*>())
-      if (action->text() == "Joint by joint…") action->trigger();
+      if (withoutLetter(*action) == "Joint by joint…") action->trigger();
     dialog = w.main().findChild<PoseDialog*>("pose_dialog");
     if (dialog) view = dialog->findChild<PoseView*>();
     w.rest();

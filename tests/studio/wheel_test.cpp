@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include "export_dialog.h"
+#include "menu_letters.h"
 #include "picture_dialog.h"
 #include "studio/window.h"
 
@@ -161,7 +162,7 @@ TEST(StudioWheel, ChangesNoBoxOfADialog) {
   picture.close();
   for (const char* words : {"New garment…", "Keys…"})
     for (QAction* action : w.main().findChildren<QAction*>())
-      if (action->text() == words) {
+      if (withoutLetter(*action) == words) {
         bool met = false;
         QTimer::singleShot(0, &w.main(), [&] {
           auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
