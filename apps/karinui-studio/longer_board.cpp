@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "karinui/design/step_words.h"
+#include "step_dialog.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -41,6 +42,7 @@ LongerBoard::LongerBoard(Session& session) : session_(session) {
         say("The seam keeps its ease: a cap, a lining or a facing becomes longer with the armhole, in one step.")));
     refresh();
   });
+  connect(beside_, &QComboBox::activated, this, [this] { picked_ = true; });
   column->addWidget(whole_);
   column->addWidget(beside_);
   column->addWidget(partners_);
@@ -66,7 +68,11 @@ std::vector<EdgeRef> LongerBoard::side() const {
 
 void LongerBoard::refresh() {
   const auto edges = session_.selection().edges();
-  if (std::exchange(shown_, edges) != edges) whole_->setChecked(true), partners_->setChecked(true);
+  if (std::exchange(shown_, edges) != edges) {
+    whole_->setChecked(true), partners_->setChecked(true);
+    picked_ = false;
+    beside_->setCurrentIndex(0);
+  }
   const auto all = side();
   whole_->setVisible(all.size() > 1);
   if (all.size() < 2) return;
@@ -77,13 +83,24 @@ void LongerBoard::refresh() {
   whole_->setToolTip("<qt>" + names.toHtmlEscaped());
 }
 
-Lengthen LongerBoard::lengthen(double metres) const {
+Lengthen LongerBoard::lengthen(double metres) {
   Lengthen made;
   made.edges = session_.selection().edges();
   if (const auto all = side(); all.size() > 1 && whole_->isChecked()) made.edges = all;
   made.by = {metres};
   made.beside = static_cast<Lengthen::Beside>(beside_->currentIndex());
   made.partners = partners_->isChecked();
+  const auto can = [&](int how) {
+    made.beside = static_cast<Lengthen::Beside>(how);
+    return static_cast<bool>(tried(session_, made));
+  };
+  if (!picked_ && !can(beside_->currentIndex()))
+    for (int how = 0; how < beside_->count(); ++how)
+      if (can(how)) {
+        beside_->setCurrentIndex(how);
+        break;
+      }
+  made.beside = static_cast<Lengthen::Beside>(beside_->currentIndex());
   return made;
 }
 

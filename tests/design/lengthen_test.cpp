@@ -139,5 +139,32 @@ TEST(Lengthen, RefusesWhatCannotBe) {
   EXPECT_EQ(shirt.refusal("lengthen edges=back.hem_left by=25mm beside=keep\n"), "");
 }
 
+// A waist goes all round and has no end: it grows at the side seams, not at its darts nor in the middle, and so does
+// the waistband, by what was asked for and not by that twice.
+TEST(Lengthen, AWaistIsLetOutAtItsSideSeamsWithItsBand) {
+  constexpr const char* kWaist =
+      "skirt_front.waist_left skirt_front.waist_left_2 skirt_front.waist_right skirt_front.waist_right_2 "
+      "skirt_back.waist_right skirt_back.waist_right_2 skirt_back.waist_left skirt_back.waist_left_2";
+  for (const bool byBand : {false, true}) {
+    Sleeved skirt(std::string("remove piece=\"front_left front_right back sleeve_left sleeve_right collar\"\n") +
+                  "block kind=skirt\nband name=waistband depth=4cm sew=yes of=\"" + kWaist + "\"\n");
+    const double low = skirt.length("waistband", "low"), top = skirt.length("waistband", "top");
+    const double side = skirt.length("skirt_front", "side_left"), dart = skirt.length("skirt_front", "dart");
+    const double atSide = skirt.length("skirt_front", "waist_left"),
+                 atMiddle = skirt.length("skirt_front", "waist_left_2");
+    const std::size_t faults = skirt.faults();
+    skirt.said.clear();
+    skirt.play(std::string("lengthen by=2cm beside=keep edges=\"") + (byBand ? "waistband.low" : kWaist) + "\"\n");
+    EXPECT_NEAR(skirt.length("waistband", "low"), low + 0.02, 1e-5);
+    EXPECT_NEAR(skirt.length("waistband", "top"), top + 0.02, 1e-3);
+    EXPECT_NEAR(skirt.length("skirt_front", "waist_left"), atSide + 0.005, 5e-4);
+    EXPECT_NEAR(skirt.length("skirt_front", "waist_left_2"), atMiddle, 1e-6);
+    EXPECT_NEAR(skirt.length("skirt_front", "dart"), dart, 1e-6);
+    EXPECT_NEAR(skirt.length("skirt_front", "side_left"), side, 1e-4);
+    EXPECT_EQ(skirt.faults(), faults) << skirt.said;
+    EXPECT_THAT(skirt.said, HasSubstr(byBand ? "lower edge of waistband: " : "lower edge of waistband as well: "));
+  }
+}
+
 }  // namespace
 }  // namespace karinui

@@ -95,6 +95,35 @@ TEST(StudioEdges, AnArmholeGetsLongerWithItsCap) {
   EXPECT_NEAR(s.length("front", "armhole_left"), front + 0.01, 1e-6);
 }
 
+// A waist with its band goes all round: the whole of it is let out in one act, whichever of the ways the list has can
+// do it, and the list says which that was.
+TEST(StudioEdges, AWaistWithABandIsLetOutInOneAct) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* line :
+       {"body size=eu38", "block kind=skirt",
+        "band name=waistband depth=4cm sew=yes of=\"skirt_front.waist_left skirt_front.waist_left_2 "
+        "skirt_front.waist_right skirt_front.waist_right_2 skirt_back.waist_right skirt_back.waist_right_2 "
+        "skirt_back.waist_left skirt_back.waist_left_2\""})
+    w.session().perform(*parseOperation(line)), w.rest();
+  const auto length = [&](const char* piece, const char* edge) {
+    return findEdge(*w.session().snapshot().document.pieceNamed(piece), edge)->curve.length();
+  };
+  const double band = length("waistband", "low");
+  const std::size_t before = w.count();
+  Selection chosen;
+  chosen.pieces = {w.session().snapshot().document.pieceNamed("skirt_front")->id};
+  chosen.edge = EdgeNear{*chosen.pieces.begin(), "waist_left", 0.1};
+  w.session().select(chosen);
+  w.rest();
+  auto& box = *w.main().findChild<LengthBox*>("edge_longer");
+  w.type(box, "2");
+  w.rest();
+  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
+  EXPECT_NEAR(length("waistband", "low"), band + 0.02, 1e-4);
+  EXPECT_EQ(w.main().findChild<QComboBox*>("longer_beside")->currentIndex(), 1) << "the edges beside keep their length";
+}
+
 // The arrows go through the list, one row after the other, though each choice fills it anew.
 TEST(StudioEdges, TheArrowsGoThroughTheTree) {
   KARINUI_NEEDS_DISPLAY();

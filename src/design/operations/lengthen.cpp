@@ -67,9 +67,66 @@ Result<Outline> goneAlongBeside(const Outline& from, const std::string& edge, Ke
   return angled ? angled : now;
 }
 
+// What a side of a piece is sewn to on other pieces ends there, as a waist at a side seam: it can be let out at that
+// end. At a dart, or where a symmetric piece goes on in its other half, it cannot.
+struct LetOutEnds {
+  bool start = false, end = false;
+  bool any() const { return start || end; }
+};
+bool endsAtSeam(const Document& document, const RunEdge& beside) {
+  bool own = false, other = false;
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const auto& [side, over] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)})
+      for (const EdgeSpan& span : *side)
+        if (RunEdge{span.piece, span.edge} == beside)
+          for (const EdgeSpan& far : *over) (far.piece == beside.first ? own : other) = true;
+  return other || !own;
+}
+LetOutEnds letOutEnds(const Document& document, const RunEdge& edge, const std::vector<RunEdge>& run) {
+  const auto& edges = document.find(edge.first)->outline.edges;
+  const std::size_t k = *document.find(edge.first)->outline.find(edge.second), n = edges.size();
+  const auto can = [&](std::size_t beside) {
+    const RunEdge next{edge.first, edges[beside % n].name};
+    return std::find(run.begin(), run.end(), next) == run.end() && endsAtSeam(document, next);
+  };
+  return {can(k + n - 1), can(k + 1)};
+}
+
+// A band: its ends are sewn to each other, or free.
+bool isBandAlong(const Document& document, const RunEdge& edge) {
+  const auto& edges = document.find(edge.first)->outline.edges;
+  const std::size_t k = *document.find(edge.first)->outline.find(edge.second), n = edges.size();
+  if (n < 4) return false;
+  for (const std::size_t beside : {k + n - 1, k + 1})
+    for (const auto& [id, seam] : document.pattern.seams)
+      for (const auto& [side, over] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)})
+        for (const EdgeSpan& span : *side)
+          if (span.piece == edge.first && span.edge == edges[beside % n].name)
+            for (const EdgeSpan& far : *over)
+              if (far.piece != edge.first) return false;
+  return true;
+}
+// The ends of a band go outwards as they are, so that its upper edge becomes longer by as much as its lower one.
+Result<Document> endsCarriedOut(const Document& before, const RunEdge& edge, double by, const Context& context) {
+  const auto& edges = before.find(edge.first)->outline.edges;
+  const std::size_t k = *before.find(edge.first)->outline.find(edge.second), n = edges.size();
+  TakeIn out;
+  for (const std::size_t beside : {k + n - 1, k + 1})
+    out.edges.push_back({PieceRef(edge.first), edges[beside % n].name});
+  out.by = {-by / 2};
+  out.partners = out.symmetric = Choice::No;
+  out.whole = out.together = out.follow = Choice::Yes;
+  Context quiet = context;
+  quiet.advise = {};
+  return perform(before, out, quiet);
+}
+
+// As they are named; or, where they go all round, by what can be let out at the seams that cross them.
+enum class Way { AsNamed, Round };
+
 class Run {
  public:
-  Run(const Document& before, const Lengthen& op) : before_(before), op_(op) {}
+  Run(const Document& before, const Lengthen& op, Way way) : before_(before), op_(op), way_(way), by_(op.by) {}
 
   Done find() {
     for (const EdgeRef& ref : op_.edges) {
@@ -78,13 +135,38 @@ class Run {
       own_.push_back(edge);
       for (const RunEdge& image : withImages(edge)) images_.push_back(image);
     }
+    bool anyGrows = false;
     for (const RunEdge& edge : own_) {
       Lengthened change;
-      if (Done done = freeEnds(edge, change); !done) return done;
+      const double length = lengthOf(outline(edge.first), edge.second);
+      if (way_ == Way::Round) {
+        const LetOutEnds ends = letOutEnds(before_, edge, images_);
+        change.start = ends.start, change.end = ends.end;
+        if (ends.any()) grows_ += length, anyGrows = true;
+      } else {
+        if (Done done = freeEnds(edge, change); !done) return done;
+        grows_ += length;
+      }
       changes_[edge] = change;
-      whole_ += lengthOf(outline(edge.first), edge.second);
+      whole_ += length;
     }
-    if (whole_ + op_.by < 1e-3)
+    if (way_ == Way::Round) {
+      if (!goesRound()) return refused(say("These edges do not go all round."));
+      for (const RunEdge& edge : own_)
+        if (!anyGrows) {  // as a waistband
+          if (Done done = freeEnds(edge, changes_[edge]); !done) return done;
+          grows_ += lengthOf(outline(edge.first), edge.second);
+        }
+      double named = 0;  // with those that are images of each other
+      std::set<RunEdge> once;
+      for (const EdgeRef& ref : op_.edges)
+        if (once.insert({ref.piece.id, ref.edge}).second) named += lengthOf(outline(ref.piece.id), ref.edge);
+      by_ = op_.by * whole_ / named;
+      wholeNamed_ = named, named_.assign(once.begin(), once.end());
+    } else {
+      wholeNamed_ = whole_, named_ = own_;
+    }
+    if (whole_ + by_ < 1e-3)
       return refused(say("The edges are {0} mm long together, and cannot become {1} mm shorter.", millimetres(whole_),
                          millimetres(-op_.by)));
     return {};
@@ -95,11 +177,12 @@ class Run {
     if (op_.beside != Lengthen::Beside::Along) {
       std::map<PieceId, Outline> now;
       for (const RunEdge& edge : own_) {
+        if (!grows(edge)) continue;
         const Outline& from = now.contains(edge.first) ? now.at(edge.first) : outline(edge.first);
         const double was = lengthOf(outline(edge.first), edge.second);
         auto next = madeAsLong(
             from,
-            {edge.second, was + op_.by * was / whole_, changes_.at(edge).keep(), op_.beside == Lengthen::Beside::Keep},
+            {edge.second, was + by_ * was / grows_, changes_.at(edge).keep(), op_.beside == Lengthen::Beside::Keep},
             symmetry(from, edge.second));
         if (!next) return next.error();
         now.insert_or_assign(edge.first, *std::move(next));
@@ -109,7 +192,7 @@ class Run {
     const auto way = howFarAlong();
     if (!way) return way.error();
     along = *way;
-    if (std::fabs(along) > kFarForIt * std::fabs(op_.by))
+    if (std::fabs(along) > kFarForIt * std::fabs(by_))
       return refused(
           say("The ends would go {0} mm along the edges beside them, which stand nearly square to the run. Let those "
               "edges keep their lengths instead (beside=keep).",
@@ -119,6 +202,9 @@ class Run {
 
   const std::vector<RunEdge>& own() const { return own_; }
   double whole() const { return whole_; }
+  const std::vector<RunEdge>& named() const { return named_; }
+  double wholeNamed() const { return wholeNamed_; }
+  double by() const { return by_; }
   const Lengthened& change(const RunEdge& edge) const { return changes_.at(edge); }
 
   const PaperSymmetry* symmetry(const Outline& outline, const std::string& edge) {
@@ -145,6 +231,19 @@ class Run {
 
  private:
   const Outline& outline(PieceId id) const { return before_.find(id)->outline; }
+  bool grows(const RunEdge& edge) const {
+    return way_ == Way::AsNamed || changes_.at(edge).start || changes_.at(edge).end;
+  }
+  // Whether the run, with its images, is one side of a seam, or goes on from each end over a seam.
+  bool goesRound() const {
+    for (const auto& [id, seam] : before_.pattern.seams)
+      for (const auto* side : {&seam.a, &seam.b})
+        if (seam.a.size() + seam.b.size() > 2 && std::all_of(side->begin(), side->end(), [&](const EdgeSpan& span) {
+              return std::find(images_.begin(), images_.end(), RunEdge{span.piece, span.edge}) != images_.end();
+            }))
+          return true;
+    return false;
+  }
   bool named(const RunEdge& edge) const { return std::find(own_.begin(), own_.end(), edge) != own_.end(); }
 
   // Ends at which the run goes on, on the paper or over a seam, stay.
@@ -176,6 +275,7 @@ class Run {
   Result<std::map<PieceId, Outline>> goneAlong(double by) {
     std::map<PieceId, Outline> now;
     for (const RunEdge& edge : own_) {
+      if (!grows(edge)) continue;
       const Outline& from = now.contains(edge.first) ? now.at(edge.first) : outline(edge.first);
       auto next = goneAlongBeside(from, edge.second, changes_.at(edge).keep(), by, symmetry(from, edge.second));
       if (!next) return next.error();
@@ -187,46 +287,49 @@ class Run {
     const auto now = goneAlong(by);
     if (!now) return now.error();
     double length = 0;
-    for (const RunEdge& edge : own_) length += lengthOf(now->at(edge.first), edge.second);
+    for (const RunEdge& edge : own_)
+      length += lengthOf(now->contains(edge.first) ? now->at(edge.first) : outline(edge.first), edge.second);
     return length - whole_;
   }
   // How far all ends go along the edges beside them, that the run becomes as long.
   Result<double> howFarAlong() {
     const auto trial = longerWhenAlong(kTrial);
     if (!trial) return trial.error();
-    const double way = (*trial > 0) == (op_.by > 0) ? 1 : -1;
+    const double way = (*trial > 0) == (by_ > 0) ? 1 : -1;
     double near = 0, reached = 0, far = kTrial;
     for (;;) {
       const auto there = longerWhenAlong(way * far);
       if (!there || far > kFarAlong || std::fabs(*there) < std::fabs(reached))
         return refused(
-            op_.by < 0
+            by_ < 0
                 ? say("The ends cannot go so far along the edges beside them that the run becomes {0} mm shorter: it "
                       "becomes {1} mm shorter at most. Let those edges keep their lengths (beside=keep), or ask for "
                       "less.",
-                      millimetres(-op_.by), millimetres(std::fabs(reached)))
+                      millimetres(-by_), millimetres(std::fabs(reached)))
                 : say("The ends cannot go so far along the edges beside them that the run becomes {0} mm longer: it "
                       "becomes {1} mm longer at most. Let those edges keep their lengths (beside=keep), or ask for "
                       "less.",
-                      millimetres(op_.by), millimetres(reached)));
+                      millimetres(by_), millimetres(reached)));
       reached = *there;
-      if (std::fabs(reached) >= std::fabs(op_.by)) break;
+      if (std::fabs(reached) >= std::fabs(by_)) break;
       near = far, far *= 1.5;
     }
     for (int i = 0; i < 60 && far - near > kExactly; ++i) {
       const double middle = (near + far) / 2;
       const auto there = longerWhenAlong(way * middle);
       if (!there) return there.error();
-      (std::fabs(*there) < std::fabs(op_.by) ? near : far) = middle;
+      (std::fabs(*there) < std::fabs(by_) ? near : far) = middle;
     }
     return way * (near + far) / 2;
   }
 
   const Document& before_;
   const Lengthen& op_;
-  std::vector<RunEdge> own_, images_;
+  const Way way_;
+  double by_;
+  std::vector<RunEdge> own_, images_, named_;
   std::map<RunEdge, Lengthened> changes_;
-  double whole_ = 0;
+  double whole_ = 0, grows_ = 0, wholeNamed_ = 0;  // its length, that of what grows, and with the images named
   std::optional<PaperSymmetry> kept_;
 };
 
@@ -256,8 +359,9 @@ double overlapOf(const Stretch& one, const Stretch& other) {
 // What the run is sewn to, and what that is sewn to.
 class Followers {
  public:
-  Followers(const Document& before, const Lengthen& op, Run& run, Document after, double along, const Context& context)
-      : before_(before), op_(op), run_(run), after_(std::move(after)), along_(along), context_(context) {
+  Followers(const Document& before, const Lengthen& op, Run& run, Way way, Document after, double along,
+            const Context& context)
+      : before_(before), op_(op), run_(run), way_(way), after_(std::move(after)), along_(along), context_(context) {
     for (const RunEdge& edge : run.own()) done(edge, run.change(edge));
   }
 
@@ -295,6 +399,7 @@ class Followers {
         if (seam.tie == Seam::Tie::Pleat || crossed_.contains(id)) continue;
         const auto &own = b ? seam.b : seam.a, &others = b ? seam.a : seam.b;
         const auto here = stretchesOf(before_.pattern, seam, b), there = stretchesOf(before_.pattern, seam, !b);
+        const std::vector<double> share = way_ == Way::Round ? letOutShares(others) : std::vector<double>();
         const double ratio =
             seam.tie == Seam::Tie::TwoToOne ? length(before_.pattern, others) / length(before_.pattern, own) : 1;
         for (std::size_t j = 0; j < others.size(); ++j) {
@@ -303,7 +408,14 @@ class Followers {
           if (covered[other] + others[j].to - others[j].from > 1 + kSamePlace) continue;  // by another seam
           Lengthened change;
           bool touched = false;
-          for (std::size_t i = 0; i < own.size(); ++i) {
+          if (!share.empty()) {  // all of it where that side can be let out
+            for (const EdgeSpan& span : own)
+              if (const auto longer = done_.find({span.piece, span.edge}); longer != done_.end())
+                touched = true, change.by += ratio * share[j] * longer->second.by * (span.to - span.from);
+            const LetOutEnds ends = letOutEnds(before_, other, edgesOf(others));
+            change.start = ends.start, change.end = ends.end;
+          }
+          for (std::size_t i = 0; share.empty() && i < own.size(); ++i) {
             const auto longer = done_.find({own[i].piece, own[i].edge});
             const double both = overlapOf(here[i], there[j]);
             if (longer == done_.end() || both <= 1e-9) continue;
@@ -327,6 +439,32 @@ class Followers {
     crossed_.merge(crossing);
     return next;
   }
+  static std::vector<RunEdge> edgesOf(const std::vector<EdgeSpan>& side) {
+    std::vector<RunEdge> all;
+    for (const EdgeSpan& span : side) all.push_back({span.piece, span.edge});
+    return all;
+  }
+  // How much of what a side of several edges gets is each one's; nothing where it has as much as it is long.
+  std::vector<double> letOutShares(const std::vector<EdgeSpan>& side) const {
+    std::vector<double> share;
+    if (side.size() < 2) return share;
+    double sum = 0;
+    for (const EdgeSpan& span : side) {
+      const bool line = !before_.find(span.piece)->outline.find(span.edge);
+      if (line) return {};
+      const bool can = letOutEnds(before_, {span.piece, span.edge}, edgesOf(side)).any();
+      share.push_back(can ? length(before_.pattern, {span}) : 0);
+      sum += share.back();
+    }
+    if (!(sum > 0)) return {};
+    for (double& one : share) one /= sum;
+    return share;
+  }
+  void tell(const RunEdge& edge, double was, double by) const {
+    if (context_.advise && std::fabs(by) >= kChanged)
+      context_.advise({say("{0} as well: {1} mm → {2} mm.", edgeSaid(before_, {PieceRef(edge.first), edge.second}),
+                           millimetres(was), millimetres(was + by))});
+  }
   Done lengthen(const RunEdge& edge, Lengthened change) {
     const Piece& piece = *after_.find(edge.first);
     const double was = lengthOf(piece.outline, edge.second);
@@ -334,6 +472,14 @@ class Followers {
     if (!change.start && !change.end) {
       const auto keep = keptEnd(before_, piece, edge.second, op_.symmetric != Choice::No);
       change.start = keep != SetLength::Keep::Start, change.end = keep != SetLength::Keep::End;
+    }
+    if (way_ == Way::Round && change.start && change.end && isBandAlong(before_, edge)) {
+      if (auto next = endsCarriedOut(after_, edge, change.by, context_);
+          next && std::fabs(lengthOf(next->find(edge.first)->outline, edge.second) - was - change.by) < kAsGood) {
+        after_ = *std::move(next);
+        tell(edge, was, change.by);
+        return {};
+      }
     }
     const PaperSymmetry* symmetry = run_.symmetry(piece.outline, edge.second);
     if (symmetry && symmetry->partner[*piece.outline.find(edge.second)] == piece.outline.find(edge.second))
@@ -356,15 +502,14 @@ class Followers {
     auto next = cutAnew(after_, reshape);
     if (!next) return next.error();
     after_ = *std::move(next);
-    if (context_.advise && std::fabs(change.by) >= kChanged)
-      context_.advise({say("{0} as well: {1} mm → {2} mm.", edgeSaid(before_, {PieceRef(edge.first), edge.second}),
-                           millimetres(was), millimetres(was + change.by))});
+    tell(edge, was, change.by);
     return {};
   }
 
   const Document& before_;
   const Lengthen& op_;
   Run& run_;
+  const Way way_;
   Document after_;
   double along_;
   const Context& context_;
@@ -380,13 +525,19 @@ Done resolve(const Document& before, Lengthen& op, Context& context) {
   return resolveWhole(before, op.edges, op.symmetric, context);
 }
 
-Result<Document> perform(const Document& before, const Lengthen& op, Context& context) {
-  Run run(before, op);
+namespace {
+
+Result<Document> lengthened(const Document& before, const Lengthen& op, Way way, const Context& context) {
+  Run run(before, op, way);
   if (Done done = run.find(); !done) return done.error();
   double along = 0;
   auto outlines = run.lengthened(along);
   if (!outlines) return outlines.error();
   Document after = before;
+  if (const RunEdge& only = run.own().front(); way == Way::Round && run.own().size() == 1 && isBandAlong(before, only))
+    if (auto band = endsCarriedOut(before, only, run.by(), context);
+        band && std::fabs(lengthOf(band->find(only.first)->outline, only.second) - run.whole() - run.by()) < kAsGood)
+      after = *std::move(band), outlines->clear();
   for (auto& [id, outline] : *outlines) {
     if (after.find(id)->outline == outline) continue;  // the symmetric copy of one that is done
     ReshapePiece reshape;  // marks, seams, the shape in space and the symmetric copy follow as they do there
@@ -398,22 +549,44 @@ Result<Document> perform(const Document& before, const Lengthen& op, Context& co
   }
   if (context.advise) {
     std::optional<Message> names;
-    for (const RunEdge& edge : run.own()) {
+    for (const RunEdge& edge : run.named()) {
       const Message name = edgeSaid(before, {PieceRef(edge.first), edge.second});
       names = names ? say("{0} + {1}", *names, name) : name;
     }
-    const std::string was = millimetres(run.whole()), is = millimetres(run.whole() + op.by);
+    const std::string was = millimetres(run.wholeNamed()), is = millimetres(run.wholeNamed() + op.by);
     context.advise({op.beside == Lengthen::Beside::Along
                         ? say("{0}: {1} mm → {2} mm; the ends go {3} mm along the edges beside them.", *names, was, is,
                               millimetres(std::fabs(along)))
                         : say("{0}: {1} mm → {2} mm.", *names, was, is)});
   }
   if (op.partners) {
-    auto followed = Followers(before, op, run, std::move(after), along, context).follow();
+    auto followed = Followers(before, op, run, way, std::move(after), along, context).follow();
     if (!followed) return followed.error();
     after = *std::move(followed);
   }
   tellSeams(before, after, context);
+  return after;
+}
+
+}  // namespace
+
+// What has no end that could move, as a waist that goes all round, grows at its side seams, and what it is sewn to
+// does.
+Result<Document> perform(const Document& before, const Lengthen& op, Context& context) {
+  std::vector<Advice> told;
+  const auto tried = [&](Way way) {
+    told.clear();
+    Context quiet = context;
+    if (context.advise) quiet.advise = [&](const Advice& advice) { told.push_back(advice); };
+    return lengthened(before, op, way, quiet);
+  };
+  auto after = tried(Way::AsNamed);
+  if (!after && !context.token.cancelled()) {
+    auto round = tried(Way::Round);
+    if (round || Run(before, op, Way::Round).find()) after = std::move(round);
+  }
+  if (after && context.advise)
+    for (const Advice& advice : told) context.advise(advice);
   return after;
 }
 
