@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fastening_offers.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
 #include "karinui/design/step_words.h"
@@ -453,7 +454,8 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   for (const SeamId id : seamsOn(document, {ref}))
     offer(menu, say("Zip in seam {0}…", seamSaid(document, *document.find(id))),
           [this, id] { askNumbers(zipIn(session_->snapshot().document, id)); });
-  if (const auto fly = flyAt(document, ref)) offer(menu, say("Fly…"), [this, fly] { askNumbers(*fly); });
+  if (const auto fly = flyAt(document, ref); fly && flyFits(session_->snapshot(), *fly))
+    offer(menu, say("Fly…"), [this, fly] { askNumbers(*fly); });
   for (const MergePieces& merge : mergesAlong(document, ref))
     offer(menu, say("Merge with {0} along the seam", nameSaid(document.find(merge.b.front().piece.id)->name)), merge);
   addFasteningOperations(menu, near);

@@ -48,13 +48,22 @@ TEST(StudioFastenings, AZipInASeamByTheRightButton) {
   EXPECT_NEAR(length(pattern, side->second.a), 0.25, 1e-6);
 }
 
-// On an edge that runs down and is sewn to another piece the menu offers a fly; Enter makes all of it.
+// In the middle of the front, from the waist down, the menu offers a fly; Enter makes all of it.
 TEST(StudioFastenings, AFlyOverASewnEdgeByTheRightButton) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
-  for (const char* line : {"rectangle name=over width=20cm height=45cm", "rectangle name=under width=20cm height=45cm",
-                           "sew a=over.side_right b=under.side_left name=middle"})
+  const Body& body = *w.session().snapshot().body;
+  const double waist = at(body.mesh(), *body.find(*parseBodyPoint("torso:waist@0"))).y;
+  const std::string at = std::to_string(waist - 0.45) + ",0.3\"";
+  for (const std::string& line :
+       {"piece name=over outline=\"M 0 0; hem L 200 0; side_right L 200 450; top L 0 450; side_left L 0 0\" "
+        "pose=\"-0.2," +
+            at,
+        "piece name=under outline=\"M 0 0; hem L 200 0; side_right L 200 450; top L 0 450; side_left L 0 0\" "
+        "pose=\"0," +
+            at,
+        std::string("sew a=over.side_right b=under.side_left name=middle")})
     w.session().perform(*parseOperation(line)), w.rest();
   w.main().action(Command::ViewAll)->trigger();
   w.rest();
@@ -144,6 +153,17 @@ TEST(StudioFastenings, ButtonsBetweenTwoEdgesByTheRightButton) {
   chooseOver();
   w.rest();
   EXPECT_EQ(w.main().findChild<QLabel*>("edge_fastened")->text(), "5 buttonholes 1.40 cm");
+}
+
+// A side seam gets no fly, and neither does the front of a shirt.
+TEST(StudioFastenings, AFlyIsOfferedWhereOneBelongs) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.key(Command::Select);
+  menuOn(w, "front", "side_left");
+  EXPECT_FALSE(choose(w, "Fly…"));
+  EXPECT_TRUE(choose(w, "Zip in seam *"));
 }
 
 }  // namespace
