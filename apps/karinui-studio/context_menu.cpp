@@ -454,6 +454,8 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   for (const SeamId id : seamsOn(document, {ref}))
     offer(menu, say("Zip in seam {0}…", seamSaid(document, *document.find(id))),
           [this, id] { askNumbers(zipIn(session_->snapshot().document, id)); });
+  if (const auto buttons = buttonsAt(session_->snapshot(), ref))
+    offer(menu, say("Buttons…"), [this, buttons] { askNumbers(*buttons); });
   if (const auto fly = flyAt(document, ref); fly && flyFits(session_->snapshot(), *fly))
     offer(menu, say("Fly…"), [this, fly] { askNumbers(*fly); });
   for (const MergePieces& merge : mergesAlong(document, ref))

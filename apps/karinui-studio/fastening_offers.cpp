@@ -19,6 +19,21 @@ std::optional<Vec3> standsAt(const GarmentSnapshot& snapshot, const EdgeRef& ref
   return edge ? spaceOf(snapshot, piece->id, edge->curve.atFraction(share)) : std::nullopt;
 }
 
+bool runsDown(const Document& document, const EdgeRef& ref) {
+  const Curve& curve = findEdge(*document.find(ref.piece.id), ref.edge)->curve;
+  const Flat chord = curve.end - curve.start;
+  return std::fabs(chord.v) >= std::fabs(chord.u);
+}
+
+bool isFastened(const Document& document, const EdgeRef& ref) {
+  const auto on = [&](const EdgeSpan& span) { return span.piece == ref.piece.id && span.edge == ref.edge; };
+  return std::any_of(document.allowances.fastenings.begin(), document.allowances.fastenings.end(),
+                     [&](const auto& own) {
+                       return std::any_of(own.second.a.begin(), own.second.a.end(), on) ||
+                              std::any_of(own.second.b.begin(), own.second.b.end(), on);
+                     });
+}
+
 }  // namespace
 
 std::optional<EdgeRef> twinOf(const Document& document, const EdgeRef& edge) {
@@ -32,6 +47,44 @@ std::optional<EdgeRef> twinOf(const Document& document, const EdgeRef& edge) {
   if (const auto other = symmetry ? symmetry->partner[*k] : std::nullopt; other && *other != *k)
     return EdgeRef{PieceRef(piece->id), piece->outline.edges[*other].name};
   return std::nullopt;
+}
+
+std::optional<Fasten> buttonsAt(const GarmentSnapshot& snapshot, const EdgeRef& over) {
+  constexpr double kNear = 0.15;                               // metres between free edges that meet in the middle
+  constexpr double kApart = 0.08, kStand = 0.015;              // metres
+  constexpr double kShort = 0.1, kFirst = 0.02, kLast = 0.08;  // metres: a hem flies free below the last
+  const Document& document = snapshot.document;
+  const auto under = twinOf(document, over);
+  if (!under || !runsDown(document, over) || isFastened(document, over) || isFastened(document, *under))
+    return std::nullopt;
+  bool together = false;
+  for (const EdgeRef& side : {over, *under})
+    for (const SeamId id : seamsOn(document, {side})) {
+      const Seam& seam = *document.find(id);
+      if (seam.a.size() != 1 || seam.b.size() != 1) return std::nullopt;
+      const auto is = [&](const EdgeSpan& span, const EdgeRef& ref) {
+        return span.piece == ref.piece.id && span.edge == ref.edge;
+      };
+      const EdgeSpan &a = seam.a.front(), &b = seam.b.front();
+      if (!(is(a, over) && is(b, *under)) && !(is(a, *under) && is(b, over))) return std::nullopt;
+      together = true;
+    }
+  const auto here = standsAt(snapshot, over, 0.5), there = standsAt(snapshot, *under, 0.5);
+  if (!together && !(here && there && distance(*here, *there) < kNear)) return std::nullopt;
+  Fasten buttons;
+  buttons.kind = FasteningKind::Button;
+  buttons.a = {over}, buttons.b = {*under};
+  buttons.size = Length{0.011};
+  const double whole = lengthOf(document, buttons.a);
+  if (whole < kShort) {  // the end of a collar, or of a cuff
+    buttons.count = 1;
+    buttons.first = Length{std::round(500 * whole) / 1000};
+  } else {
+    buttons.first = Length{kFirst}, buttons.last = Length{std::min(kLast, std::floor(250 * whole) / 1000)};
+    buttons.count = 1 + static_cast<int>(std::lround((whole - *buttons.first - *buttons.last) / kApart));
+  }
+  if (together) buttons.stand = Length{kStand};
+  return buttons;
 }
 
 bool flyFits(const GarmentSnapshot& snapshot, const SewFly& fly) {

@@ -13,6 +13,7 @@
 #include <memory>
 #include <numbers>
 
+#include "fastening_offers.h"
 #include "karinui/body/sizes.h"
 #include "karinui/design/block_numbers.h"
 #include "karinui/design/edge_run.h"
@@ -626,6 +627,8 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
   addFinish("binding", say("Binding along the chosen edge…"), bindingAlong);
   menu->addSeparator();
   add("fasten", say("Buttons or a zip along the chosen edge…"), Of::Edge, [chosen, this] {
+    if (const auto edge = chosen())
+      if (const auto buttons = buttonsAt(session_->snapshot(), *edge)) return Operation(*buttons);
     return Operation(fastenedTo(session_->snapshot().document, chosen().value_or(EdgeRef{}), EdgeRef{}));
   });
   add("zip", say("Zip in the seam of the chosen edge…"), Of::Edge, [chosen, this] {

@@ -37,7 +37,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"ring", "name inner radius depth angle fabric"},
     {"band", "name depth ratio extra sew turn"},
     {"attach", "edge to turn"},
-    {"fasten", "kind a b count spacing first last size length closed closed_length"},
+    {"fasten", "kind a b count spacing first last size length stand closed closed_length"},
     {"block", "kind ease length fabric"},
     {kDrawnPleat, "lines stitch hold"},
     {kPleatTo, "edge to at to_at depth turned stitch hold"},

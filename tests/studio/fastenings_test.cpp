@@ -163,7 +163,46 @@ TEST(StudioFastenings, AFlyIsOfferedWhereOneBelongs) {
   w.key(Command::Select);
   menuOn(w, "front", "side_left");
   EXPECT_FALSE(choose(w, "Fly…"));
+  EXPECT_FALSE(choose(w, "Buttons…"));
   EXPECT_TRUE(choose(w, "Zip in seam *"));
+}
+
+// A shirt block is buttoned from the menu of its front: one choice, one Enter, one step.
+TEST(StudioFastenings, AShirtIsButtonedByTheRightButton) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().perform(*parseOperation("body size=eu38"));
+  w.rest();
+  w.session().perform(*parseOperation("block kind=shirt"));
+  w.rest();
+  w.key(Command::Select);
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  const std::size_t before = w.count();
+  menuOn(w, "front_right", "centre");
+  EXPECT_FALSE(choose(w, "Fly…"));
+  ASSERT_TRUE(choose(w, "Buttons…")) << w.main().said().toStdString();
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(numbers.line("stand").text(), "1.5 cm");
+    EXPECT_EQ(numbers.line("count").text(), "7");
+    EXPECT_EQ(numbers.line("b").text(), "centre of left front");
+    EXPECT_EQ(numbers.said(), "");
+    numbers.accept();
+  }
+  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[before].operation), AllOf(StartsWith("fasten "), HasSubstr("stand=15mm")));
+  const Document& document = w.session().snapshot().document;
+  ASSERT_TRUE(document.allowances.fastenings.contains("buttons"));
+  EXPECT_EQ(document.allowances.fastenings.at("buttons").closed, 7);
+  EXPECT_TRUE(document.drape.last && document.drape.last->settled);
+  // The ends of the collar are free now, and lap.
+  menuOn(w, "collar", "end_right");
+  ASSERT_TRUE(choose(w, "Buttons…")) << w.main().said().toStdString();
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_EQ(numbers.line("count").text(), "1");
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 #include <cmath>
 
 #include "design/operations/copied_joins.h"
+#include "design/operations/operations.h"
 #include "design/operations/said.h"
 #include "design/operations/seam_parts.h"
 #include "design/operations/sewn_runs.h"
 #include "design/spoken.h"
 #include "karinui/design/sewing.h"
+#include "karinui/design/step_words.h"
 #include "karinui/pattern/seam_walk.h"
 
 namespace karinui {
@@ -14,6 +16,7 @@ namespace karinui {
 namespace {
 
 constexpr double kUsualInset = 0.015, kUsualSpacing = 0.08, kUsualEnds = 0.015;  // metres
+constexpr double kWidestStand = 0.1;
 constexpr double kTight = 0.0005;  // metres by which a run may be too short
 constexpr double kUneven = 1.1;    // times that one side of a zip may be longer than the other
 
@@ -76,6 +79,13 @@ Done close(const Document& document, const Fasten& op, Fastening& own) {
   return {};
 }
 
+void decideReversed(const Document& before, Fasten& op) {
+  if (op.reversed != Choice::Auto) return;
+  SewEdges sew;
+  sew.a = op.a, sew.b = op.b;
+  op.reversed = facesReversed(before, sew, nullptr) ? Choice::Yes : Choice::No;
+}
+
 // What is not said of a new one is decided.
 Done decide(const Document& before, Fasten& op) {
   const FasteningKind kind = op.kind.value_or(FasteningKind::Button);
@@ -84,21 +94,21 @@ Done decide(const Document& before, Fasten& op) {
   if (zip && (op.count || op.spacing || op.last || op.inset))
     return refused(say("A zip has a length, and where it begins (first); no number, spacing, last or inset."));
   if (!zip && op.length) return refused(say("Only a zip has a length."));
-  if (!zip && op.unpick == Choice::Yes) return refused(say("Only a zip opens a seam."));
+  if (op.stand && !hasCloth(kind)) return refused(say("Only buttons and snaps have a stand."));
+  if (op.stand && !(*op.stand >= 0.004 && *op.stand <= kWidestStand))
+    return refused(say("A stand is 4 to 100 mm wide."));
+  if (!zip && op.unpick == Choice::Yes && !op.stand)
+    return refused(say("A seam is opened for a zip, or for buttons and snaps with a stand."));
   if (op.size && !hasCloth(kind)) return refused(say("Only buttons and snaps have a size."));
   if (op.gap && !traitsOf(kind).gapped) return refused(say("Only a tie holds its places a gap apart."));
   if (op.size && !(*op.size >= 0.004 && *op.size <= 0.06)) return refused(say("A button is 4 to 60 mm wide."));
   if (op.gap && !(*op.gap >= 0 && *op.gap <= 1)) return refused(say("A tie holds its places 0 to 1 m apart."));
-  if (op.reversed == Choice::Auto) {
-    SewEdges sew;
-    sew.a = op.a, sew.b = op.b;
-    op.reversed = facesReversed(before, sew, nullptr) ? Choice::Yes : Choice::No;
-  }
+  decideReversed(before, op);
   if (op.from == Fasten::From::Auto || op.from == Fasten::From::Top) op.from = topOf(before, op.a);
   if (op.from == Fasten::From::Bottom)
     op.from = topOf(before, op.a) == Fasten::From::Start ? Fasten::From::End : Fasten::From::Start;
   const bool onLines = lineOf(before, op.a.front()) || lineOf(before, op.b.front());
-  if (!op.inset && !zip) op.inset = Length{hasCloth(kind) && !onLines ? kUsualInset : 0};
+  if (!op.inset && !zip) op.inset = Length{op.stand ? op.stand->metres : hasCloth(kind) && !onLines ? kUsualInset : 0};
   if (op.inset && !(*op.inset >= 0 && *op.inset <= 0.5))
     return refused(say("The places lie 0 to 50 cm within the edge."));
   const double whole = lengthOf(before, op.a);
@@ -271,6 +281,110 @@ Document unpickedFor(const Document& before, const Fastening& zip) {
   return unpickedFor(before, zip, opened, minted);
 }
 
+// The edge that meets this one at one of its ends, there.
+std::optional<SeamPlace> roundCorner(const Pattern& pattern, const SeamPlace& end) {
+  const Outline& outline = pattern.pieces.at(end.piece)->outline;
+  const auto k = outline.find(end.edge);
+  if (!k) return std::nullopt;
+  const std::size_t n = outline.edges.size();
+  return end.fraction < 0.5 ? SeamPlace{end.piece, outline.edges[(*k + n - 1) % n].name, 1}
+                            : SeamPlace{end.piece, outline.edges[(*k + 1) % n].name, 0};
+}
+// --- A stand: both edges are opened, and let out so that they lap.
+
+// All of both sides, as a zip would have it.
+Fastening wholeOf(const Fasten& op) {
+  Fastening whole;
+  whole.kind = FasteningKind::Zip;
+  whole.a = spansOf(op.a), whole.b = spansOf(op.b);
+  whole.reversed = op.reversed == Choice::Yes;
+  whole.at = {0, 1};
+  return whole;
+}
+
+// What is sewn on where the two sides end, as a collar: its ends there, and the edges it is sewn to.
+struct SewnAbove {
+  SeamPlace endA, endB;          // of what is sewn on, beside a and beside b
+  SeamPlace onA, onB;            // the edges that go on round the corners
+  std::optional<SeamId> closed;  // the seam that closes it
+};
+std::vector<SewnAbove> sewnAbove(const Pattern& pattern, const Fastening& whole) {
+  std::vector<SewnAbove> all;
+  const SeamSide a(pattern, whole.a, false), b(pattern, whole.b, whole.reversed);
+  const auto on = [](const std::vector<EdgeSpan>& side, const SeamPlace& place) {
+    return side.size() == 1 && side.front().piece == place.piece && side.front().edge == place.edge;
+  };
+  for (const double end : {0.0, 1.0}) {
+    const auto onA = roundCorner(pattern, a.at(end)), onB = roundCorner(pattern, b.at(end));
+    if (!onA || !onB) continue;
+    for (const SeamPlace& one : sewnTo(pattern, *onA))
+      for (const SeamPlace& other : sewnTo(pattern, *onB)) {
+        const auto endA = roundCorner(pattern, one), endB = roundCorner(pattern, other);
+        if (one.piece != other.piece || !endA || !endB || endA->edge == endB->edge) continue;
+        SewnAbove above{*endA, *endB, *onA, *onB, std::nullopt};
+        for (const auto& [id, seam] : pattern.seams)
+          if ((on(seam.a, *endA) && on(seam.b, *endB)) || (on(seam.a, *endB) && on(seam.b, *endA))) above.closed = id;
+        all.push_back(above);
+      }
+  }
+  return all;
+}
+
+Result<Document> letOut(const Document& before, const std::vector<EdgeRef>& edges, double by, const Context& context) {
+  TakeIn out;
+  out.edges = edges;
+  out.by = {-by};
+  out.partners = out.symmetric = Choice::No;
+  out.whole = out.together = Choice::Yes;
+  Result<Document> after = before;
+  for (const Choice follow : {Choice::Yes, Choice::No}) {
+    out.follow = follow;
+    Context quiet = context;
+    quiet.advise = {};
+    after = perform(before, out, quiet);
+    if (after) break;
+  }
+  return after;
+}
+
+// The document with both sides free and let out. Its messages are told where somebody asks.
+Result<Document> withStand(const Document& before, const Fasten& op, const Context& context) {
+  if (!op.stand) return before;
+  const Fastening whole = wholeOf(op);
+  const std::vector<SewnAbove> above = sewnAbove(before.pattern, whole);
+  Document after = before;
+  std::vector<std::string> opened;
+  std::uint32_t minted = 0;
+  if (op.unpick == Choice::Yes) {
+    after = unpickedFor(before, whole, opened, minted);
+    for (const SewnAbove& one : above)
+      if (one.closed && after.find(*one.closed)) {
+        opened.push_back(spoken(*after.find(*one.closed)));
+        after.pattern.seams.erase(*one.closed);
+      }
+  }
+  std::vector<EdgeRef> sides = op.a;
+  sides.insert(sides.end(), op.b.begin(), op.b.end());
+  const auto lengthAt = [](const Document& document, const SeamPlace& place) {
+    return findEdge(*document.find(place.piece), place.edge)->curve.length();
+  };
+  auto wide = letOut(after, sides, *op.stand, context);
+  if (!wide) return wide;
+  for (const SewnAbove& one : above)
+    for (const auto& [end, on] : {std::pair(one.endA, one.onA), std::pair(one.endB, one.onB)}) {
+      const double gained = lengthAt(*wide, on) - lengthAt(after, on);
+      if (std::fabs(gained) < kTight) continue;
+      wide = letOut(*wide, {{PieceRef(end.piece), end.edge}}, gained, context);
+      if (!wide) return wide;
+    }
+  if (context.advise) {
+    for (const std::string& seam : opened) context.advise({say("Seam {0} is opened for what fastens it.", seam)});
+    context.advise({say("Let out by {0} mm, to lap: {1}, {2}.", fixed(1e3 * *op.stand, 1),
+                        edgeSaid(before, op.a.front()), edgeSaid(before, op.b.front()))});
+  }
+  return wide;
+}
+
 // Auto becomes yes where a seam is to be opened. What was recorded before there was a choice has none.
 void decideUnpick(const Document& before, const Fastening& own, Choice& unpick, const Context& context) {
   if (context.recorded || unpick == Choice::No) return;
@@ -308,15 +422,6 @@ Done checkZip(const Document& before, Fastening own, const std::vector<EdgeRef>&
   return {};
 }
 
-// The edge that meets this one at one of its ends, there.
-std::optional<SeamPlace> roundCorner(const Pattern& pattern, const SeamPlace& end) {
-  const Outline& outline = pattern.pieces.at(end.piece)->outline;
-  const auto k = outline.find(end.edge);
-  if (!k) return std::nullopt;
-  const std::size_t n = outline.edges.size();
-  return end.fraction < 0.5 ? SeamPlace{end.piece, outline.edges[(*k + n - 1) % n].name, 1}
-                            : SeamPlace{end.piece, outline.edges[(*k + 1) % n].name, 0};
-}
 // Whether two places of a piece are one, or the ends of what is closed by a seam.
 bool joined(const Pattern& pattern, const SeamPlace& one, const SeamPlace& other) {
   constexpr double kOnePlace = 0.003;  // metres
@@ -379,7 +484,7 @@ Done resolveCopies(const Document& before, const Fastening& own, Fasten& op, con
     return {};
   }
   with.allowances.fastenings[op.name] = own;
-  if (op.unpick == Choice::Yes && op.copies == Choice::Yes) with = unpickedFor(with, *copy);
+  if (op.unpick == Choice::Yes && op.copies == Choice::Yes && !op.stand) with = unpickedFor(with, *copy);
   const Done done = checkSet(with, *copy, refsOf(copy->a), refsOf(copy->b));
   if (!done && op.copies == Choice::Yes) return done;
   op.copies = done ? Choice::Yes : Choice::No;
@@ -423,7 +528,8 @@ Done resolve(const Document& given, Fasten& op, Context& context) {
     if (own == there.end())
       return there.empty() ? refused(say("There is no fastening “{0}”; say its two sides: a=… b=….", op.name))
                            : refused(say("There is no fastening “{0}”; there are: {1}.", op.name, names(there)));
-    if (op.kind || op.count || op.spacing || op.first || op.last || op.inset || op.size || op.length || op.gap)
+    if (op.kind || op.count || op.spacing || op.first || op.last || op.inset || op.size || op.length || op.gap ||
+        op.stand)
       return refused(
           say("“{0}” is there already and can be closed, opened or taken out (none=yes); to change what it "
               "is, take it out and set it anew.",
@@ -444,6 +550,25 @@ Done resolve(const Document& given, Fasten& op, Context& context) {
   if (overlap(op.a, op.b)) return refused(say("An edge cannot be fastened to itself."));
   Document before = withOneCurve(given, op.a, op.b);
   for (auto* side : {&op.a, &op.b}) *side = inOutlineOrder(before, std::move(*side));
+  if (op.stand) {
+    for (const auto* side : {&op.a, &op.b})
+      for (const EdgeRef& ref : *side)
+        if (lineOf(before, ref) || ref.from > 0 || ref.to < 1)
+          return refused(say("A stand is let out along whole edges; name them without a part, and no inner line."));
+    decideReversed(before, op);
+    if (op.unpick == Choice::Auto && !context.recorded) {
+      std::vector<std::string> opened;
+      std::uint32_t minted = 0;
+      unpickedFor(before, wholeOf(op), opened, minted);
+      if (!opened.empty()) op.unpick = Choice::Yes;
+    }
+    Context quiet = context;
+    quiet.advise = {};
+    if (!(*op.stand >= 0.004 && *op.stand <= kWidestStand)) return refused(say("A stand is 4 to 100 mm wide."));
+    auto lapped = withStand(before, op, quiet);
+    if (!lapped) return lapped.error();
+    before = *std::move(lapped);
+  }
   if (Done done = decide(before, op); !done) return done;
   Fastening own = made(before, op);
   if (!sound(own)) return refused(say("The places lie too near to each other to be told apart."));
@@ -459,8 +584,8 @@ Done resolve(const Document& given, Fasten& op, Context& context) {
   }
   if (Done done = checkName(op.name); !done) return done;
   if (known.contains(op.name)) return refused(say("There is already a fastening “{0}”; choose another name.", op.name));
-  decideUnpick(before, own, op.unpick, context);
-  if (op.unpick == Choice::Yes) before = unpickedFor(before, own);
+  if (!op.stand) decideUnpick(before, own, op.unpick, context);
+  if (op.unpick == Choice::Yes && !op.stand) before = unpickedFor(before, own);
   if (Done done = checkSet(before, own, op.a, op.b); !done) return done;
   if (Done done = close(before, op, own); !done) return done;
   return resolveCopies(before, own, op, context);
@@ -494,9 +619,14 @@ void tellDrawnThroughBody(const Document& document, const Fasten& op, const Fast
 
 Result<Document> perform(const Document& before, const Fasten& op, Context& context) {
   Document after = withOneCurve(before, op.a, op.b);
+  if (isNew(op) && op.stand) {
+    auto lapped = withStand(after, op, context);
+    if (!lapped) return lapped;
+    after = *std::move(lapped);
+  }
   std::uint32_t minted = 0;
   const auto unpick = [&](const Fastening& zip) {
-    if (op.unpick != Choice::Yes) return;
+    if (op.unpick != Choice::Yes || op.stand) return;
     std::vector<std::string> opened;
     after = unpickedFor(after, zip, opened, minted);
     for (const std::string& seam : opened)

@@ -32,14 +32,16 @@ struct Fasten {
   bool none = false;
   Choice unpick = Choice::Auto;
   Choice copies = Choice::Auto;
+  std::optional<Length> stand;
   // The fields that only some kinds have; a field that is not listed all have.
   static constexpr std::string_view kKindField = "kind";
   static bool has(FasteningKind kind, std::string_view field) {
     const FasteningTraits& traits = traitsOf(kind);
     if (field == "count" || field == "spacing" || field == "last" || field == "inset" || field == "closed")
       return traits.counted;
-    if (field == "length" || field == "closed_length" || field == "unpick") return !traits.counted;
-    if (field == "size") return traits.sized;
+    if (field == "length" || field == "closed_length") return !traits.counted;
+    if (field == "unpick") return !traits.counted || traits.sized;
+    if (field == "size" || field == "stand") return traits.sized;
     if (field == "holes") return traits.holed;
     return field != "gap" || traits.gapped;
   }
@@ -70,12 +72,16 @@ struct Fasten {
     visit("closed_length", self.closedLength, "how far a zip is closed, from its lower end (otherwise all)", kOptional);
     visit("none", self.none, "yes: takes it out", kOptional);
     visit("unpick", self.unpick,
-          "of a zip that is new: a seam between its two sides is opened where the zip comes, and stays sewn beside it: "
-          "auto, yes, no (auto: if there is one)",
+          "of what is new: a seam between its two sides is opened where a zip comes, and stays sewn beside it; for "
+          "buttons and snaps with a stand all along, and what is sewn on above: auto, yes, no (auto: if there is one)",
           kOptional);
     visit("copies", self.copies,
           "of one that is new: between the symmetric copies of its pieces too: auto, yes, no (auto: if both sides have "
           "one, and there is room)",
+          kOptional);
+    visit("stand", self.stand,
+          "of buttons and snaps that are new: both edges are let out by so much first, and what is sewn on above with "
+          "them, so that they lap; the places lie where the edges were",
           kOptional);
   }
   bool operator==(const Fasten&) const = default;
