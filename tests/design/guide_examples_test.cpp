@@ -75,6 +75,7 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
       {"fasten kind=hook a=band.end_left",
        std::string(kShirt) + "unsew seam=opening\nunsew seam=collar\nrectangle name=band width=70cm height=4cm "
                              "edges=\"low end_left top end_right\"\n"},
+      {"last=8cm stand=15mm", kShirt},
       {"fasten kind=zip a=skirt_front.side_left", kSkirt},
       {"fasten name=buttons closed=4",
        std::string(kShirt) + "unsew seam=opening\nfasten a=front_right.centre b=front_left.centre count=6\n"
