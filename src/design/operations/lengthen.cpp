@@ -548,11 +548,12 @@ Result<Document> lengthened(const Document& before, const Lengthen& op, Way way,
     after = *std::move(next);
   }
   if (context.advise) {
+    constexpr std::size_t kMost = 4;  // edges that are named one by one
+    const auto said = [&](const RunEdge& edge) { return edgeSaid(before, {PieceRef(edge.first), edge.second}); };
     std::optional<Message> names;
-    for (const RunEdge& edge : run.named()) {
-      const Message name = edgeSaid(before, {PieceRef(edge.first), edge.second});
-      names = names ? say("{0} + {1}", *names, name) : name;
-    }
+    if (run.named().size() > kMost) names = say("{0} … {1}", said(run.named().front()), said(run.named().back()));
+    for (std::size_t k = 0; k < run.named().size() && run.named().size() <= kMost; ++k)
+      names = names ? say("{0} + {1}", *names, said(run.named()[k])) : said(run.named()[k]);
     const std::string was = millimetres(run.wholeNamed()), is = millimetres(run.wholeNamed() + op.by);
     context.advise({op.beside == Lengthen::Beside::Along
                         ? say("{0}: {1} mm → {2} mm; the ends go {3} mm along the edges beside them.", *names, was, is,
