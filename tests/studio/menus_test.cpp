@@ -133,12 +133,14 @@ TEST(StudioMenus, ALetterChoosesAnEntry) {
   ASSERT_EQ(english.count("N"), 1u);
   EXPECT_EQ(english.find("N")->second, "Notch there");
   EXPECT_EQ(english.count("Z"), 1u);
+  for (const auto& [letter, words] : english) EXPECT_EQ(english.count(letter), 1u) << words.toStdString();
   EXPECT_THAT(offered(), Not(Contains("Freeze"))) << "what is about the piece stands in a menu of its own";
   EXPECT_THAT(offered(), Contains("Piece front"));
   const auto* piece = w.main().findChild<QMenu*>("context_piece");
   ASSERT_TRUE(piece);
-  EXPECT_TRUE(std::any_of(piece->actions().begin(), piece->actions().end(),
-                          [](const QAction* one) { return withoutLetter(*one) == "Freeze"; }));
+  const QList<QAction*> ofPiece = piece->actions();
+  EXPECT_TRUE(
+      std::any_of(ofPiece.begin(), ofPiece.end(), [](const QAction* one) { return withoutLetter(*one) == "Freeze"; }));
   const std::size_t before = w.count();
   QTest::keyClick(contextMenu(), Qt::Key_N);
   w.rest();
