@@ -25,6 +25,15 @@ bool runsDown(const Document& document, const EdgeRef& ref) {
   return std::fabs(chord.v) >= std::fabs(chord.u);
 }
 
+// Whether it ends at a hem: nothing is sewn round the corner below.
+bool endsFree(const Document& document, const EdgeRef& ref) {
+  const Outline& outline = document.find(ref.piece.id)->outline;
+  const std::size_t k = *outline.find(ref.edge), n = outline.edges.size();
+  const Curve& curve = outline.edges[k].curve;
+  const std::size_t below = curve.start.v < curve.end.v ? (k + n - 1) % n : (k + 1) % n;
+  return seamsOn(document, {{ref.piece, outline.edges[below].name}}).empty();
+}
+
 bool isFastened(const Document& document, const EdgeRef& ref) {
   const auto on = [&](const EdgeSpan& span) { return span.piece == ref.piece.id && span.edge == ref.edge; };
   return std::any_of(document.allowances.fastenings.begin(), document.allowances.fastenings.end(),
@@ -71,6 +80,7 @@ std::optional<Fasten> buttonsAt(const GarmentSnapshot& snapshot, const EdgeRef& 
     }
   const auto here = standsAt(snapshot, over, 0.5), there = standsAt(snapshot, *under, 0.5);
   if (!together && !(here && there && distance(*here, *there) < kNear)) return std::nullopt;
+  if (together && !(endsFree(document, over) && endsFree(document, *under))) return std::nullopt;  // as a crotch
   Fasten buttons;
   buttons.kind = FasteningKind::Button;
   buttons.a = {over}, buttons.b = {*under};

@@ -167,6 +167,25 @@ TEST(StudioFastenings, AFlyIsOfferedWhereOneBelongs) {
   EXPECT_TRUE(choose(w, "Zip in seam *"));
 }
 
+// Trousers: a fly, but no buttons down to the inseam; and a zip behind.
+TEST(StudioFastenings, ACrotchIsNotButtoned) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* line : {"body size=eu38", "block kind=trousers"})
+    w.session().perform(*parseOperation(line)), w.rest();
+  w.key(Command::Select);
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  menuOn(w, "leg_front_left", "crotch");
+  EXPECT_FALSE(choose(w, "Buttons…"));
+  EXPECT_TRUE(choose(w, "Fly…"));
+  Numbers(w).dialog->reject();
+  w.rest();
+  menuOn(w, "leg_back_left", "crotch");
+  EXPECT_FALSE(choose(w, "Fly…"));
+  EXPECT_TRUE(choose(w, "Zip in seam *"));
+}
+
 // A shirt block is buttoned from the menu of its front: one choice, one Enter, one step.
 TEST(StudioFastenings, AShirtIsButtonedByTheRightButton) {
   KARINUI_NEEDS_DISPLAY();
