@@ -1,6 +1,7 @@
 #include "outline_drawing.h"
 
 #include <QPainter>
+#include <optional>
 
 #include "karinui/design/step_words.h"
 #include "theme.h"
@@ -47,10 +48,12 @@ OutlineDrawing::Drawn OutlineDrawing::drawn() const {
   }
   made.paper.setFillRule(Qt::OddEvenFill);
   if (!named) return made;
+  std::vector<double> lengthsOf;
   const auto lengths = [&](const Outline& outline) {
     for (const Edge& edge : outline.edges) {              // outside of the paper, which lies at the left of its edges
       constexpr double kAway = 20, kTag = 10, kRow = 60;  // pixels; a word stands above its place
       const Curve& curve = edge.curve;
+      lengthsOf.push_back(curve.length());
       const Flat out = leftOf(normalized(curve.tangent(curve.parameterAt(curve.length() / 2)))) * -kAway;
       const QPointF middle = onScreen(curve.atFraction(0.5));
       const bool atEnd = flat && std::abs(out.u) > std::abs(out.v);
@@ -62,7 +65,36 @@ OutlineDrawing::Drawn OutlineDrawing::drawn() const {
   };
   lengths(piece_->outline);
   for (const Outline& hole : piece_->holes) lengths(hole);
+  pushApart(made.words, std::move(lengthsOf));
   return made;
+}
+
+// Words that would lie on each other go aside. Where there is no room for that, the shorter edge goes without.
+void OutlineDrawing::pushApart(std::vector<std::pair<QPointF, QString>>& words, std::vector<double> lengths) const {
+  constexpr double kApart = 6, kAbove = 20;  // pixels; a word stands so far above its place
+  constexpr int kRounds = 60;
+  const auto tagOf = [&](std::size_t k) { return wordTag(font(), words[k].first, words[k].second, rect()); };
+  const auto meeting = [&]() -> std::optional<std::pair<std::size_t, std::size_t>> {
+    for (std::size_t i = 0; i < words.size(); ++i)
+      for (std::size_t k = i + 1; k < words.size(); ++k)
+        if (tagOf(i).intersects(tagOf(k))) return std::pair(i, k);
+    return std::nullopt;
+  };
+  int round = 0;
+  while (const auto met = meeting()) {
+    const auto [i, k] = *met;
+    const QRectF one = tagOf(i), other = tagOf(k);
+    if (++round > kRounds || one.width() + other.width() + 4 * kApart > width()) {
+      const auto without = static_cast<std::ptrdiff_t>(lengths[i] < lengths[k] ? i : k);
+      words.erase(words.begin() + without), lengths.erase(lengths.begin() + without);
+      round = 0;
+      continue;
+    }
+    const bool left = one.center().x() <= other.center().x();
+    const double by = ((left ? one.right() - other.left() : other.right() - one.left()) + kApart) / 2;
+    words[i].first = one.center() + QPointF(left ? -by : by, kAbove);
+    words[k].first = other.center() + QPointF(left ? by : -by, kAbove);
+  }
 }
 
 void OutlineDrawing::paintEvent(QPaintEvent*) {

@@ -26,6 +26,7 @@ class OutlineDrawing : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void pushApart(std::vector<std::pair<QPointF, QString>>& words, std::vector<double> lengths) const;
   std::shared_ptr<const Piece> piece_;
 };
 

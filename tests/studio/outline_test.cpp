@@ -48,5 +48,32 @@ TEST(StudioOutline, WhatIsSaidOfTheEdgesLeavesThePaperToBeSeen) {
     }
 }
 
+// A waistband laps: what is said of the long edge and of the short one beside it both want the same place.
+TEST(StudioOutline, WhatIsSaidOfALapHidesNothing) {
+  KARINUI_NEEDS_DISPLAY();
+  application();
+  OutlineDrawing drawing;
+  auto piece = std::make_shared<Piece>();
+  const Flat corners[] = {{0, 0}, {0.66, 0}, {0.69, 0}, {0.69, 0.04}, {0, 0.04}};
+  const char* names[] = {"lower_edge", "lap_of_lower_edge", "right_end", "top_edge", "left_end"};
+  for (std::size_t k = 0; k < 5; ++k)
+    piece->outline.edges.push_back({names[k], Curve::line(corners[k], corners[(k + 1) % 5])});
+  drawing.show(piece);
+  for (const int wide : {360, 460}) {
+    drawing.resize(wide, 150);
+    std::vector<QRectF> tags;
+    QString all;
+    for (const auto& [above, words] : drawing.drawn().words) {
+      const QRectF tag = wordTag(drawing.font(), above, words, drawing.rect());
+      for (const QRectF& other : tags) EXPECT_FALSE(tag.intersects(other)) << words.toStdString();
+      EXPECT_TRUE(QRectF(drawing.rect()).contains(tag));
+      tags.push_back(tag);
+      all += words + "\n";
+    }
+    EXPECT_TRUE(all.contains("66.0 cm")) << "the long edge is told in any case";
+    EXPECT_GE(tags.size(), wide > 400 ? 5u : 4u) << all.toStdString();
+  }
+}
+
 }  // namespace
 }  // namespace karinui::studio
