@@ -202,8 +202,9 @@ void FitPanel::fillReport() {
     if (session_.snapshot().document.drape.dirty.empty()) {
       QString fastened;
       for (const FasteningPull& pull : fasteningsOf(session_.snapshot()))
-        fastened += row({inWords(fastenerSaid(pull)).toHtmlEscaped(),
-                         (pull.holds() ? QString() : QString::fromUtf8("⚠ ")) + inWords(pulledSaid(pull))});
+        fastened += "<tr><td>" + inWords(fastenerSaid(pull)).toHtmlEscaped() + apart + "</td><td>" +
+                    (pull.holds() ? QString() : QString::fromUtf8("⚠ ")) + inWords(pulledSaid(pull)).toHtmlEscaped() +
+                    "</td></tr>";
       if (!fastened.isEmpty())
         table += "<p><b>" + inWords(say("Fastenings")) + "</b></p><table>" + fastened + "</table>";
     }

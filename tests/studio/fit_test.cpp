@@ -78,6 +78,9 @@ TEST(StudioFit, TheGirthsLeaveRoomInTheBoard) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
+  w.session().perform(*parseOperation("fasten kind=zip name=opening_at_the_left a=front.side_left b=back.side_left"));
+  w.rest();
+  ASSERT_TRUE(w.session().snapshot().document.drape.dirty.empty());
   w.main().resize(900, 600);
   w.main().boards().setCurrentIndex(3);
   for (const Language language : {Language::English, Language::Japanese}) {
