@@ -367,8 +367,11 @@ void MainWindow::refresh() {
                                    "  –  Karinui");
     if (!path.isEmpty()) remember(path);
     // A garment begins with its figure; one that was opened is gone on with.
-    if (std::exchange(shownPath_, path) != path && session_->steps().size() > 1 &&
-        boards_->currentIndex() == kBodyBoard && session_->snapshot().body)
+    // A draft that is called after what it has become is the one that was shown, and the hand is at its measures.
+    const QString was = std::exchange(shownPath_, path);
+    const bool renamed = !was.isEmpty() && !QFileInfo::exists(was);
+    if (was != path && !renamed && session_->steps().size() > 1 && boards_->currentIndex() == kBodyBoard &&
+        session_->snapshot().body)
       boards_->setCurrentIndex(kGarmentBoard);
   }
   if (mend_->isVisible() && !session_->can(Command::Mend)) mend_->hide(), notices_->clearNewest();

@@ -52,6 +52,20 @@ TEST(StudioFigure, IsMadeOfWhatWasTypedAndGoesOnWithoutItsSize) {
   EXPECT_NEAR(hip(), before, 0.005);
 }
 
+// A draft is called anew when its figure is no longer a size; the board of measures stays before the hand.
+TEST(StudioFigure, TheBoardStaysWhereMeasuresAreTyped) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* line : {"body size=eu38", "block kind=skirt"}) w.session().perform(*parseOperation(line)), w.rest();
+  const fs::path before = w.session().path();
+  w.main().boards().setCurrentIndex(1);
+  w.rest();
+  w.type(w.box("Waist girth"), "79");
+  w.rest();
+  EXPECT_NE(w.session().path(), before) << "it is made to measure now";
+  EXPECT_EQ(w.main().boards().currentIndex(), 1);
+}
+
 TEST(StudioFigure, FollowsASliderAndTheGarmentIsMadeAgain) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
