@@ -53,10 +53,10 @@ void MainWindow::askSaveAs() {
   refresh();
 }
 
-// After the garment, where it has a name of its own.
+// After the garment. A draft has a name, too.
 QString MainWindow::called(const Message& what) const {
-  const bool named = !session_->path().empty() && !session_->draft();
-  return named ? QString::fromStdString(session_->path().stem().string()) + " – " + inWords(what) : inWords(what);
+  return !session_->path().empty() ? QString::fromStdString(session_->path().stem().string()) + " – " + inWords(what)
+                                   : inWords(what);
 }
 QString MainWindow::proposed(const Message& what, const FileFormat& format) const {
   return freshPath(called(what), format);

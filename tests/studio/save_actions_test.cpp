@@ -368,6 +368,15 @@ TEST(StudioSaveActions, WhatIsWrittenIsCalledAfterTheGarment) {
   EXPECT_THAT(offered(say("Export…")).toStdString(), testing::StartsWith((garment + " – pattern.").toStdString()));
   EXPECT_EQ(offered(say("Share the pattern…")), garment + " – pattern to share.karinui");
   EXPECT_EQ(offered(say("Print the pattern…")), garment + " – pattern.pdf");
+  // A draft has a name, too: what it is made as.
+  w.main().newGarment("eu38", {});
+  w.rest();
+  w.session().perform(*parseOperation("block kind=skirt"));
+  w.rest();
+  ASSERT_TRUE(w.session().draft());
+  const QString draft = QString::fromStdString(w.session().path().stem().string());
+  EXPECT_TRUE(draft.startsWith("Skirt")) << draft.toStdString();
+  EXPECT_EQ(offered(say("Print the pattern…")), draft + " – pattern.pdf");
 }
 
 TEST(StudioSaveActions, TakesAPictureFromEverySide) {
