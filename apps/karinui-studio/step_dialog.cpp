@@ -226,6 +226,18 @@ StepDialog::StepDialog(Session& session, Operation operation, QWidget* parent)
   takeRoom();
   open();
   takeRoom();
+  standAside();
+}
+
+// Over the boards, so that the garment and its paper are seen while the numbers are typed.
+void StepDialog::standAside() {
+  constexpr int kBelow = 60;  // pixels: the menus and the toolbar
+  const QWidget* over = parentWidget() ? parentWidget()->window() : nullptr;
+  if (!over) return;
+  const QRect all = over->geometry(), there = screen()->availableGeometry();
+  const QSize mine = frameGeometry().size();
+  move(std::clamp(all.right() - mine.width(), there.left(), std::max(there.left(), there.right() - mine.width())),
+       std::clamp(all.top() + kBelow, there.top(), std::max(there.top(), there.bottom() - mine.height())));
 }
 
 void StepDialog::takeRoom() {

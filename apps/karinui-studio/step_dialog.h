@@ -32,6 +32,7 @@ class StepDialog : public QDialog {
   Result<Operation> wished() const;
   void show(const Result<Operation>& wish);
   void takeRoom();  // all it asks for, where the screen has that
+  void standAside();
   void perform();
   Session& session_;
   Document document_;  // as it was when the dialog opened: the fields know its pieces

@@ -37,6 +37,8 @@ TEST(StudioFastenings, AZipInASeamByTheRightButton) {
     Numbers numbers(w);
     ASSERT_TRUE(numbers);
     EXPECT_EQ(numbers.line("length").text(), "20 cm");
+    const QRect fitting(w.space().mapToGlobal(QPoint()), w.space().size());
+    EXPECT_FALSE(numbers.dialog->frameGeometry().intersects(fitting)) << "what it is about is seen";
     numbers.accept();
   }
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
