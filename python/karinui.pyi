@@ -79,6 +79,7 @@ class Document:
         overlap: Optional[float] = None,
         date: str = "",
         nest: bool = False,
+        pairs_once: bool = False,
     ) -> int: ...
     def read_pattern(self, path: Path, size: str = "", progress: Progress = None, unit: str = "") -> int: ...
     def layout(

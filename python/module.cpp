@@ -31,6 +31,7 @@
 #include "karinui/session/view_cut.h"
 #include "karinui/view/line_up.h"
 #include "karinui/view/table_picture.h"
+#include "values.h"
 
 namespace py = pybind11;
 
@@ -38,119 +39,11 @@ namespace {
 
 using namespace karinui;
 
-// What cannot be done, as a sentence; `kind` as in docs/format/serve.md.
-struct Failure {
-  Error error;
-};
-template <class T>
-T good(Result<T> result) {
-  if (!result) throw Failure{result.error()};
-  return *std::move(result);
-}
-void good(const Done& done) {
-  if (!done) throw Failure{done.error()};
-}
-
-py::dict strainDict(const StrainReport& strain) {
-  py::dict d;
-  d["mean"] = strain.mean, d["p99"] = strain.p99, d["max"] = strain.max;
-  return d;
-}
-py::dict checkDict(const ClothCheck& check) {
-  py::dict d;
-  d["finite"] = check.finite;
-  d["penetration_m"] = check.penetration, d["seam_gap_m"] = check.seamGap;
-  d["cloth_body_crossings"] = check.clothBodyCrossings, d["cloth_cloth_crossings"] = check.clothClothCrossings;
-  d["fold_crossings"] = check.foldCrossings;
-  d["strain"] = strainDict(check.strain), d["vertices"] = check.vertices;
-  return d;
-}
-// What closed fastenings are drawn open with.
-py::list fasteningsList(const Examination& check) {
-  py::list all;
-  for (const FasteningPull& pull : check.fastenings) {
-    py::dict one;
-    one["name"] = pull.name, one["gap_m"] = pull.gap, one["pull_n"] = pull.force, one["holds"] = pull.holds();
-    if (pull.number > 0) one["number"] = pull.number;
-    if (pull.length > 0) one["length_m"] = pull.length;
-    all.append(one);
-  }
-  return all;
-}
-
-py::dict girthsDict(const std::vector<Girths>& girths) {
-  py::dict levels;
-  for (const Girths& g : girths) {
-    py::dict level;
-    level["height_m"] = g.height, level["body_m"] = g.body, level["garment_m"] = g.garment;
-    level["ease_m"] = g.garment - g.body;
-    std::string key = text(g.name);  // "under bust"
-    std::replace(key.begin(), key.end(), ' ', '_');
-    levels[py::str(key)] = level;
-  }
-  return levels;
-}
-
-Sex sexIn(const std::string& name) {
-  const auto sex = sexNamed(name);
-  if (!sex) throw Failure{badInput(say("“{0}” is no figure; write female, male or child.", name))};
-  return *sex;
-}
-
-// Figures as a list of sizes and of {"name": …, "sex": …, "bust_girth": 0.9, …}, or a table of measures in a file.
-std::vector<GarmentWearer> wearersIn(const py::object& figures) {
-  if (py::hasattr(figures, "__fspath__") || py::isinstance<py::str>(figures))
-    return wearersOf(good(readMeasurementTable(good(readFile(figures.cast<std::filesystem::path>())))));
-  std::vector<GarmentWearer> all;
-  for (const py::handle& one : figures) {
-    GarmentWearer wearer;
-    if (py::isinstance<py::str>(one)) {
-      wearer.name = wearer.body.size = one.cast<std::string>();
-    } else {
-      Measurements measures;
-      wearer.name = "figure " + std::to_string(all.size() + 1);
-      for (const auto& [key, value] : one.cast<py::dict>()) {
-        const auto name = key.cast<std::string>();
-        if (name == "name")
-          wearer.name = value.cast<std::string>();
-        else if (name == "sex")
-          measures.sex = sexIn(value.cast<std::string>());
-        else
-          measures.value[good(measurementKey(name))] = value.cast<double>();
-      }
-      wearer.body = figureOf(measures);
-    }
-    all.push_back(std::move(wearer));
-  }
-  return all;
-}
-
-// An array that looks into memory which `owner` keeps: nothing is copied, and nothing can be changed.
-template <class Number, class Item>
-py::array viewOf(const std::vector<Item>& items, const py::object& owner) {
-  constexpr auto kEach = static_cast<py::ssize_t>(sizeof(Item) / sizeof(Number));
-  const auto count = static_cast<py::ssize_t>(items.size());
-  py::array_t<Number> view({count, kEach},
-                           {static_cast<py::ssize_t>(sizeof(Item)), static_cast<py::ssize_t>(sizeof(Number))},
-                           reinterpret_cast<const Number*>(items.data()), owner);
-  py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
-  return view;
-}
-static_assert(sizeof(Flat) == 2 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double));
-
-// An array of its own.
-template <class Number, class Item>
-py::array arrayOf(const std::vector<Item>& items) {
-  constexpr auto kEach = static_cast<py::ssize_t>(sizeof(Item) / sizeof(Number));
-  return py::array_t<Number>({static_cast<py::ssize_t>(items.size()), kEach},
-                             reinterpret_cast<const Number*>(items.data()));
-}
-
 // As karinui export is asked, in metres.
 struct PaperAsked {
   std::string format, paper, date;
   std::optional<double> overlap, allowance;
-  bool nest = false;
+  bool nest = false, pairsOnce = false;
 };
 
 // What was asked of a file belongs to its ending.
@@ -165,6 +58,7 @@ Done fits(const PaperAsked& asked, const std::vector<std::string>& poses, const 
                                            {"overlap", asked.overlap.has_value(), pages},
                                            {"date", !asked.date.empty(), sheet},
                                            {"nest", asked.nest, sheet},
+                                           {"pairs_once", asked.pairsOnce, isPaper(format)},
                                            {"allowance", asked.allowance.has_value(), cut}})
     if (given && !holds)
       return badInput(say("{0} says nothing of “{1}”; leave it out, or choose another ending.", name, file));
@@ -377,6 +271,7 @@ class PythonDocument {
       wish.sheet.language = spokenHere();
       wish.sheet.date = asked.date, wish.sheet.nest = asked.nest, wish.sheet.allowance = asked.allowance;
       if (asked.overlap) wish.sheet.overlap = *asked.overlap;
+      wish.sheet.pairsOnce = asked.pairsOnce;
       const auto garment = seen(file, context);
       return garment ? exportedTo(out, **garment, file.steps(), wish) : garment.error();
     };
@@ -721,15 +616,15 @@ PYBIND11_MODULE(karinui, m) {
           "export",
           [](D& d, const std::filesystem::path& path, const std::string& format, const std::vector<std::string>& poses,
              const py::object& progress, const std::string& paper, std::optional<double> allowance,
-             std::optional<double> overlap, const std::string& date, bool nest) {
-            return d.exportTo(path, {format, paper, date, overlap, allowance, nest}, poses, progress);
+             std::optional<double> overlap, const std::string& date, bool nest, bool pairsOnce) {
+            return d.exportTo(path, {format, paper, date, overlap, allowance, nest, pairsOnce}, poses, progress);
           },
           py::arg("path"), py::arg("format") = "", py::arg("poses") = std::vector<std::string>(),
           py::arg("progress") = py::none(), py::arg("paper") = "", py::arg("allowance") = py::none(),
-          py::arg("overlap") = py::none(), py::arg("date") = "", py::arg("nest") = false,
+          py::arg("overlap") = py::none(), py::arg("date") = "", py::arg("nest") = false, py::arg("pairs_once") = false,
           "writes a file; its ending says what; how many bytes. `format`: of .json and .dxf which, as karinui export. "
           "`poses`: a GLB is an animation through them. Of paper: `paper` (a4, letter, a3, a0, 36in, or sheet for one; "
-          "a PDF is on a4 where it is not said), `allowance` and `overlap` in metres, `date`, `nest`")
+          "a PDF is on a4 where it is not said), `allowance` and `overlap` in metres, `date`, `nest`, `pairs_once`")
       .def("read_pattern", &D::readPattern, py::arg("path"), py::arg("size") = "", py::arg("progress") = py::none(),
            py::arg("unit") = "",
            "does the steps that make the pattern of a file (.dxf, .svg, .json), of several sizes with `size` standing; "

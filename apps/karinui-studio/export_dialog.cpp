@@ -1,5 +1,6 @@
 #include "export_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDate>
 #include <QDialogButtonBox>
@@ -7,6 +8,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSettings>
 #include <QSlider>
 #include <QStackedWidget>
 
@@ -19,6 +21,15 @@ namespace karinui::studio {
 
 namespace {
 constexpr QSize kPreview(440, 480);
+}
+
+QCheckBox* pairsOnceBox() {
+  const char* key = "print/pairs_once";
+  auto* box = new QCheckBox(inWords(say("Left and right alike: drawn once, cut in pairs")));
+  box->setObjectName("pairs_once");
+  box->setChecked(QSettings().value(key, false).toBool());
+  QObject::connect(box, &QCheckBox::toggled, [key](bool on) { QSettings().setValue(key, on); });
+  return box;
 }
 
 ExportDialog::ExportDialog(Session& session, SpaceView& view, QWidget* parent)
@@ -41,6 +52,7 @@ ExportDialog::ExportDialog(Session& session, SpaceView& view, QWidget* parent)
   allowance_ = new LengthBox(say("Seam allowance"), 0, 0.1);
   const Document& document = session_.snapshot().document;
   allowance_->setMetres(AllowancePlan(document.pattern, document.allowances).width(EdgeKind::Seam));
+  pairs_ = pairsOnceBox();
   page_ = new QSlider(Qt::Horizontal);
   page_->setAccessibleName(inWords(say("Page")));
   page_->setPageStep(1);
@@ -50,6 +62,7 @@ ExportDialog::ExportDialog(Session& session, SpaceView& view, QWidget* parent)
   form->addRow(inWords(say("What")), kind_);
   form->addRow(about_);
   form->addRow(inWords(say("Seam allowance")), allowance_);
+  form->addRow(QString(), pairs_);
   form->addRow(inWords(say("Page")), page_);
   form->addRow(QString(), number_);
   form->addRow(size_);
@@ -76,6 +89,7 @@ ExportDialog::ExportDialog(Session& session, SpaceView& view, QWidget* parent)
   row->addWidget(shown_, 1);
   connect(kind_, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
   connect(allowance_, &LengthBox::typed, this, &ExportDialog::refresh);
+  connect(pairs_, &QCheckBox::toggled, this, &ExportDialog::refresh);
   connect(page_, &QSlider::valueChanged, this, &ExportDialog::showPage);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -87,6 +101,7 @@ ExportWish ExportDialog::wish() const {
   ExportWish wish;
   wish.format = exportFormats()[static_cast<std::size_t>(kind_->currentIndex())];
   wish.sheet.allowance = allowance_->value();
+  wish.sheet.pairsOnce = pairs_->isChecked() && isPaper(*wish.format);
   wish.sheet.language = Theme::here().language();
   wish.sheet.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
   if (const auto stem = session_.path().stem().string(); !stem.empty()) wish.sheet.title = stem;
@@ -99,6 +114,7 @@ void ExportDialog::refresh() {
   about_->setText(inWords(wanted.format->about));
   const bool paper = content == FileContent::Sheet;
   allowance_->setEnabled(paper);
+  pairs_->setEnabled(isPaper(*wanted.format));
   paper_.reset();
   trouble_.reset();
   const Result<std::string> bytes = exported(session_.snapshot(), session_.steps(), wanted);

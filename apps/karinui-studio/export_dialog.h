@@ -6,6 +6,7 @@
 #include "karinui/session/session.h"
 #include "space_view.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPlainTextEdit;
@@ -15,6 +16,9 @@ class QStackedWidget;
 namespace karinui::studio {
 
 class LengthBox;
+
+// Whether pieces that are each other's mirror image are drawn once. Keeps what was chosen last.
+QCheckBox* pairsOnceBox();
 
 class ExportDialog : public QDialog {
   Q_OBJECT
@@ -33,6 +37,7 @@ class ExportDialog : public QDialog {
   SpaceView& view_;
   QComboBox* kind_;
   LengthBox* allowance_;
+  QCheckBox* pairs_;
   QLabel *about_, *size_, *picture_, *number_;
   QSlider* page_;
   QStackedWidget* shown_;

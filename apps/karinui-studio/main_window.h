@@ -10,7 +10,6 @@
 #include "panels.h"
 #include "pattern_view.h"
 
-class PictureDialog;
 class QLabel;
 class QMenu;
 class QPrinter;
@@ -27,6 +26,7 @@ class DropMenuFrame;
 class ForceFeedback;
 class Guide;
 class Notices;
+class PictureDialog;
 class VariablesDialog;
 
 // The window's size the first time, from what the screen has room for.
@@ -56,7 +56,7 @@ class MainWindow : public QMainWindow {
   bool atStart() const;
   bool still() const;  // nothing is under way and all pictures are drawn
   void startGuide();
-  void printOn(QPrinter& printer);  // the pattern, at true size
+  void printOn(QPrinter& printer, bool pairsOnce = false);  // the pattern, at true size
 
  signals:
   void refreshed();

@@ -1,4 +1,5 @@
 // What leaves the window: copies, exports, pictures, paper.
+#include <QCheckBox>
 #include <QDate>
 #include <QDir>
 #include <QFileDialog>
@@ -130,10 +131,13 @@ void MainWindow::print() {
   QPrinter printer(QPrinter::HighResolution);
   printer.setDocName(called(say("pattern")));  // in the printer's list, and of a file it is printed into
   QPrintDialog dialog(&printer, this);
-  if (dialog.exec() == QDialog::Accepted) printOn(printer);
+  QCheckBox* pairs = pairsOnceBox();
+  pairs->setWindowTitle(inWords(say("Pattern")));  // the tab's
+  dialog.setOptionTabs({pairs});
+  if (dialog.exec() == QDialog::Accepted) printOn(printer, pairs->isChecked());
 }
 
-void MainWindow::printOn(QPrinter& printer) {
+void MainWindow::printOn(QPrinter& printer, bool pairsOnce) {
   QSizeF paper = printer.pageLayout().fullRect(QPageLayout::Millimeter).size();
   ExportWish wish;
   const auto is = [&](double width, double height) {
@@ -150,9 +154,18 @@ void MainWindow::printOn(QPrinter& printer) {
                                                       : "pdf-a4");
   wish.sheet.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
   wish.sheet.language = Theme::here().language();
+  wish.sheet.pairsOnce = pairsOnce;
   if (const auto stem = session_->path().stem().string(); !stem.empty()) wish.sheet.title = stem;
   const auto pages = paperOf(session_->snapshot(), wish);
   if (!pages) return tell({Notice::Kind::Refused, pages.error().what});
+  // Into a file go the lines themselves, not dots of a printer: a hundredth of the size, with its layers.
+  if (printer.outputFormat() == QPrinter::PdfFormat && !printer.outputFileName().isEmpty() &&
+      printer.printRange() == QPrinter::AllPages) {
+    const auto written =
+        exportedTo(printer.outputFileName().toStdString(), session_->snapshot(), session_->steps(), wish);
+    if (!written) return tell({Notice::Kind::Refused, written.error().what});
+    return tell({Notice::Kind::Said, say("{0} {0|page was|pages were} printed.", pages->count())});
+  }
   constexpr int kWhole = 1000;
   QProgressDialog progress(inWords(say("Printing the pattern")), inWords(say("Stop")), 0, kWhole, this);
   progress.setWindowTitle(inWords(say("Print")));

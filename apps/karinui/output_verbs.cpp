@@ -67,6 +67,8 @@ void addOutputVerbs(Program& program) {
       ->check(CLI::Range(5.0, 30.0));
   verb->add_option("--date", out->date, help("paper: a date to be printed on each piece, as it is to be read"));
   verb->add_flag("--nest", out->nest, help("paper: graded pieces in all their sizes, over one another"));
+  verb->add_flag("--pairs-once", out->pairsOnce,
+                 help("PDF and plotter: left and right pieces that are alike drawn once, to be cut in pairs"));
   verb->add_option("--allowance", out->allowanceMm,
                    help("paper: seam allowance in mm in place of the document's own, up to 100, 0 for none"))
       ->check(CLI::Range(0.0, 100.0));

@@ -49,6 +49,7 @@ Done fits(const ExportRequest& request, const FileFormat& format) {
                                            {"--overlap", request.overlapMm.has_value(), pages},
                                            {"--date", !request.date.empty(), sheet},
                                            {"--nest", request.nest, sheet},
+                                           {"--pairs-once", request.pairsOnce, isPaper(format)},
                                            {"--poses", !request.poses.empty(), format.id == "glb"},
                                            {"--allowance", request.allowanceMm.has_value(), cut}})
     if (asked && !holds) return unasked(name, request.out);
@@ -74,7 +75,7 @@ Result<std::size_t> exportFile(OpenDocument& opened, const ExportRequest& reques
   tellGarment(opened.document(), photosIn(opened.context().blobs), sheet);
   if (request.overlapMm) sheet.overlap = *request.overlapMm / 1000;
   sheet.date = request.date;
-  sheet.nest = request.nest;
+  sheet.nest = request.nest, sheet.pairsOnce = request.pairsOnce;
   if (request.allowanceMm) sheet.allowance = *request.allowanceMm / 1000;
   sheet.title = opened.file().path().stem().string();
   sheet.language = spokenHere();

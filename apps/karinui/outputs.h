@@ -18,7 +18,7 @@ struct ExportRequest {
   std::string paper, format;  // empty, like the next ones: not asked for
   std::optional<double> allowanceMm, overlapMm;
   std::string date;
-  bool nest = false;
+  bool nest = false, pairsOnce = false;
   std::string poses;  // through which a GLB goes: T,step,A
 };
 std::vector<std::string> patternFormats();  // what `format` may name: the texts of a pattern, which share an ending

@@ -266,6 +266,7 @@ class Server {
     request.date = fields.text("date");
     request.poses = fields.text("poses");
     request.nest = fields.flag("nest");
+    request.pairsOnce = fields.flag("pairs_once");
     request.allowanceMm = fields.number("allowance_mm", 0, 100);
     request.overlapMm = fields.number("overlap_mm", 5, 30);
     if (const Done fit = fields.checked(); !fit) return fit.error();

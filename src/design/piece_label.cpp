@@ -41,7 +41,9 @@ std::vector<Message> labelOf(const Piece& piece, const CutFacts& facts) {
   const auto& [count, pairs] = facts.cutting;
   Message cut = pairs ? say("Cut {0} ({1} {1|pair|pairs})", count, count / 2) : say("Cut {0}", count);
   if (facts.onFold) cut = say("{0} on fold", cut);
-  std::vector<Message> lines{nameSaid(piece.name), say("{0} · {1}", cut, nameSaid(piece.fabric))};
+  const Message name =
+      facts.twin.empty() ? nameSaid(piece.name) : say("{0}, {1}", nameSaid(piece.name), nameSaid(facts.twin));
+  std::vector<Message> lines{name, say("{0} · {1}", cut, nameSaid(piece.fabric))};
   if (facts.faceDown) lines.push_back(say("paper face down"));
   if (!piece.interfacing.empty()) lines.push_back(say("fused: {0}", nameSaid(piece.interfacing)));
   if (!facts.size.empty() && !facts.date.empty())

@@ -256,6 +256,8 @@ std::vector<const FileFormat*> exportFormats(FormatTable table) {
   return rowsWhere(table, [](const FileFormat& row) { return row.write != nullptr; });
 }
 
+bool isPaper(const FileFormat& format) { return format.out == FileContent::Sheet && format.id != "svg"; }
+
 bool hasEnding(const std::filesystem::path& file, const FileFormat& format) {
   const std::string ending = endingOf(file);
   return std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end();

@@ -13,7 +13,7 @@ namespace karinui {
 namespace {
 
 constexpr std::size_t kMostPanels = 2000, kMostEdges = 60000;
-constexpr double kLongest = 12;  // metres: no panel is longer, so the file's unit is another one
+constexpr double kLongestPanel = 12;  // metres: no panel is longer, so the file's unit is another one
 
 struct Panel {
   std::string name;
@@ -276,7 +276,7 @@ Done ofPlausibleSize(const Pattern& pattern, double metres) {
     FlatBox box;
     for (const Flat p : piece->outline.flattened(1e-3)) box.include(p);
     const double longest = std::max(box.size().u, box.size().v);
-    if (longest > kLongest)
+    if (longest > kLongestPanel)
       return badInput(
           say("Panel \"{0}\" would be {1} m long, for units_in_meter is {2}. Write 100 there if the numbers are "
               "centimetres, 1000 if they are millimetres.",

@@ -1,6 +1,7 @@
 #include "sheet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "dxf/grade_rules.h"
@@ -14,6 +15,7 @@
 #include "karinui/pattern/label_room.h"
 #include "karinui/pattern/trims.h"
 #include "names.h"
+#include "sheet_pairs.h"
 
 namespace karinui {
 namespace {
@@ -133,11 +135,14 @@ struct SheetLettering {
   LetteredPiece room;
 };
 
-SheetLettering addLabels(SheetPiece& out, const SheetSettings& settings, bool onFold, bool faceDown) {
+// `twin`: what is cut by the same drawing, turned over; null: nothing.
+SheetLettering addLabels(SheetPiece& out, const SheetSettings& settings, bool onFold, bool faceDown,
+                         const Piece* twin) {
   std::vector<std::string> lines;
   const auto own = settings.cutting.find(out.piece->id);
-  const CutFacts facts{own == settings.cutting.end() ? Cutting() : own->second, onFold, faceDown, settings.size,
-                       settings.date};
+  CutFacts facts{
+      own == settings.cutting.end() ? Cutting() : own->second, onFold, faceDown, settings.size, settings.date, {}};
+  if (twin) facts.twin = twin->name, facts.cutting = {2 * facts.cutting.count, true};
   for (const Message& line : labelOf(*out.piece, facts)) lines.push_back(cleanText(text(line, settings.language)));
   out.labels = lines.size();
   const LetteredPiece room = roomFor(*out.piece, lines);
@@ -167,36 +172,38 @@ void addFolds(SheetPiece& out, const AllowancePlan& plan, Language language) {
 }
 
 constexpr double kMatchSize = 0.003;  // metres: the number beside a bar at which the print matches
-constexpr double kMatchesSaid = 7.2;  // mm of the header: the line that tells of them
+constexpr double kLineSaid = 7.2;     // mm of the header: a line more in it
 
-void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan, const SheetSettings& settings,
-                const std::map<PieceId, SheetLettering>& lettering) {
+std::map<PieceId, SheetPiece*> byId(Sheet& sheet) {
   std::map<PieceId, SheetPiece*> of;
   for (SheetPiece& piece : sheet.pieces) of[piece.piece->id] = &piece;
+  return of;
+}
+
+void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan, const SheetSettings& settings) {
+  const std::map<PieceId, SheetPiece*> of = byId(sheet);
   std::vector<NotchPlace> notches = notchPlaces(pattern);
   for (const NotchPlace& notch : finishNotches(pattern, settings.allowances)) notches.push_back(notch);
   for (const NotchPlace& notch : notches) {
     SheetPiece& piece = *of.at(notch.piece);
     const PaperStroke stroke = strokeOf(notch, plan ? plan->width(notch.piece, notch.edge) : 0);
-    piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, notch.seam});
+    piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, notch.seam, notch.corner});
   }
   for (const PaperArrow& arrow : pleatArrows(pattern))
     for (const PaperStroke& stroke : {arrow.shaft, arrow.head, arrow.otherHead}) {
       SheetPiece& piece = *of.at(arrow.piece);
-      piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, {}});
+      piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, {}, false});
     }
   for (const PaperFastener& fastener : fastenersOf(pattern, settings.allowances.fastenings))
     for (const PaperStroke& stroke : fastener.strokes) {
       SheetPiece& piece = *of.at(fastener.piece);
-      piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, {}});
+      piece.notches.push_back({{piece.at(stroke.from), piece.at(stroke.to)}, {}, false});
     }
   for (const MatchMark& mark : settings.matches) {
     const auto found = of.find(mark.piece);
     if (found == of.end()) continue;
     SheetPiece& piece = *found->second;
-    piece.notches.push_back({{piece.at(mark.from), piece.at(mark.to)}, {}});
-    piece.texts.push_back({piece.at(mark.to + normalized(mark.to - mark.from) * (1.2 * kMatchSize)), kMatchSize * 1000,
-                           true, "#" + std::to_string(mark.number)});
+    piece.notches.push_back({{piece.at(mark.from), piece.at(mark.to)}, {}, false});
   }
   for (const StitchRow& row : stitchRows(pattern, settings.allowances)) {
     SheetPiece& piece = *of.at(row.piece);
@@ -209,11 +216,50 @@ void addNotches(Sheet& sheet, const Pattern& pattern, const AllowancePlan* plan,
     std::vector<Mm>& drawn = piece.trims.emplace_back();
     for (const Flat place : run.inside) drawn.push_back(piece.at(place));
   }
+}
+
+// The seams' numbers. Where one drawing does for two pieces, those of the second stand behind the first's: "12/15".
+std::vector<SheetText> numbersOn(const SheetPiece& piece, const std::vector<SeamTag>& tags, const SheetPiece* second) {
+  constexpr double kNear = 15;  // mm
+  std::vector<SheetText> numbers;
+  for (const SeamTag& tag : tags)
+    if (tag.piece == piece.piece->id)
+      numbers.push_back({piece.at(tag.place), kSeamTagSize * 1000, true, std::to_string(tag.number)});
+  if (!second) return numbers;
+  const std::size_t own = numbers.size();
+  for (const SeamTag& tag : tags) {
+    if (tag.piece != second->piece->id) continue;
+    const Mm place = turnedOver(*second, piece, second->at(tag.place));
+    const auto away = [&](const SheetText& number) {
+      return std::hypot(number.place.x - place.x, number.place.y - place.y);
+    };
+    const auto nearest = std::min_element(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(own),
+                                          [&](const auto& a, const auto& b) { return away(a) < away(b); });
+    const std::string number = std::to_string(tag.number);
+    if (own == 0 || away(*nearest) > kNear)
+      numbers.push_back({place, kSeamTagSize * 1000, true, "/" + number});
+    else if (nearest->words != number)
+      nearest->words += "/" + number;
+  }
+  return numbers;
+}
+
+// After the labels: the numbers of matching bars and of seams, and what is said along edges.
+void addWords(Sheet& sheet, const Pattern& pattern, const SheetSettings& settings,
+              const std::map<PieceId, SheetLettering>& lettering, const std::map<PieceId, const SheetPiece*>& twins) {
+  const std::map<PieceId, SheetPiece*> of = byId(sheet);
+  for (const MatchMark& mark : settings.matches)
+    if (const auto found = of.find(mark.piece); found != of.end())
+      found->second->texts.push_back({found->second->at(mark.to + normalized(mark.to - mark.from) * (1.2 * kMatchSize)),
+                                      kMatchSize * 1000, true, "#" + std::to_string(mark.number)});
+  const std::vector<SeamTag> all = seamTags(pattern);
   std::map<PieceId, std::vector<Flat>> tags;
-  for (const SeamTag& tag : seamTags(pattern)) {
-    SheetPiece& piece = *of.at(tag.piece);
-    piece.texts.push_back({piece.at(tag.place), kSeamTagSize * 1000, true, std::to_string(tag.number)});
-    tags[tag.piece].push_back(tag.place);
+  for (const SeamTag& tag : all) tags[tag.piece].push_back(tag.place);
+  for (SheetPiece& piece : sheet.pieces) {
+    if (piece.strip) continue;
+    const auto twin = twins.find(piece.piece->id);
+    for (SheetText& number : numbersOn(piece, all, twin == twins.end() ? nullptr : twin->second))
+      piece.texts.push_back(std::move(number));
   }
   std::map<PieceId, std::vector<WishedNote>> notes;
   for (const PaperNote& note : notesOf(pattern, settings.allowances))
@@ -349,17 +395,26 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   }
   addStrips(sheet, pattern, settings);
   if (const Done done = addNest(sheet, pattern, settings); !done) return done.error();
-  shelve(sheet, settings.rollWidth * 1000, kHeader + (settings.matches.empty() ? 0 : kMatchesSaid));
+  addNotches(sheet, pattern, plan, settings);
+  const std::map<PieceId, PieceId> seconds =
+      settings.pairsOnce ? secondsOfPairs(sheet.pieces, settings) : std::map<PieceId, PieceId>();
+  std::map<PieceId, const SheetPiece*> twins;  // of the first of each pair the second
+  for (const SheetPiece& piece : sheet.pieces)
+    if (const auto second = seconds.find(piece.piece->id); second != seconds.end()) twins[second->second] = &piece;
   const AllowancePlan kinds(pattern, settings.allowances);
   std::map<PieceId, SheetLettering> lettering;
   const std::set<PieceId> faceDown = cutFaceDown(pattern, kinds, settings.cutting);
   for (SheetPiece& piece : sheet.pieces) {
     if (piece.strip) continue;
-    lettering[piece.piece->id] =
-        addLabels(piece, settings, kinds.onFold(*piece.piece), faceDown.contains(piece.piece->id));
+    const PieceId id = piece.piece->id;
+    const Piece* twin = twins.contains(id) ? twins.at(id)->piece : nullptr;
+    lettering[id] = addLabels(piece, settings, kinds.onFold(*piece.piece), !twin && faceDown.contains(id), twin);
     addFolds(piece, kinds, settings.language);
   }
-  addNotches(sheet, pattern, plan, settings, lettering);
+  addWords(sheet, pattern, settings, lettering, twins);
+  std::erase_if(sheet.pieces, [&](const SheetPiece& piece) { return seconds.contains(piece.piece->id); });
+  shelve(sheet, settings.rollWidth * 1000,
+         kHeader + (settings.matches.empty() ? 0 : kLineSaid) + (seconds.empty() ? 0 : kLineSaid));
 
   sheet.square = {kMargin, kMargin};
   const auto said = [&](const Message& message) { return text(message, settings.language); };
@@ -379,6 +434,8 @@ Result<Sheet> layOut(const Pattern& pattern, const SheetSettings& settings) {
   heading(said(say("Arrow: grain. Short strokes: notches. Equal numbers are sewn together.")), 4);
   if (!settings.matches.empty())
     heading(said(say("Bars with equal numbers (#): lay them on the same line of the print.")), 4);
+  if (!seconds.empty())
+    heading(said(say("What is cut in pairs is drawn once: cut one as it lies and one turned over.")), 4);
   Message notions;
   for (const Message& one : notionsSaid(pattern, settings.allowances, settings.cutting))
     notions = notions.empty() ? one : say("{0}, {1}", notions, one);

@@ -1,5 +1,6 @@
 #pragma once
 // A sheet of pieces, ready to be drawn: everything in millimetres, x to the right, y down, from the sheet's top left.
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -29,7 +30,8 @@ struct SheetText {  // centred on its place
 };
 struct SheetNotch {
   SheetStroke stroke;
-  std::string seam;  // its name; none for a notch of the person's own
+  std::string seam;     // its name; none for a notch of the person's own
+  bool corner = false;  // of the outline, which marks the place by itself
 };
 
 struct SheetSize {  // the piece in another size, over the one that stands
@@ -74,6 +76,21 @@ struct SheetPiece {
 std::vector<std::string> orderLines(const SheetSettings& settings);  // with its heading; empty: nothing is sewn
 
 void moveBy(SheetPiece& piece, Mm by);  // with all that is drawn of it
+
+// Layers as in the DXF of the trade (interop of AAMA); topstitching, which has no number there, on the next one.
+enum class SheetLayer {
+  Boundary = 1,
+  Notch = 4,
+  Grain = 7,
+  Inner = 8,
+  CutOut = 11,
+  Drill = 13,
+  Seam = 14,
+  Words = 15,
+  Topstitch = kTopstitchLayer
+};
+using SheetLine = std::function<void(SheetLayer layer, const std::vector<Mm>& points, bool closed)>;
+void eachLine(const SheetPiece& piece, const SheetLine& line);  // of one size
 
 struct Sheet {
   double width = 0, height = 0;

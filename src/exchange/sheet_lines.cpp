@@ -1,6 +1,5 @@
 // A sheet as plain lines in place: DXF for cutters and drawing programs, HPGL for plotters.
 #include <cmath>
-#include <functional>
 
 #include "karinui/base/number.h"
 #include "karinui/exchange/hpgl.h"
@@ -12,22 +11,6 @@ namespace {
 
 constexpr double kMiss = 4e-5;  // metres between a curve and its chords
 
-// Layers as in the DXF of the trade (interop of AAMA): the boundary, notches, the grain, inner lines, cut-outs, drill
-// holes, the seam line, lettering; topstitching, which has no number there, on the next one.
-enum Layer {
-  kBoundary = 1,
-  kNotch = 4,
-  kGrain = 7,
-  kInner = 8,
-  kCutOut = 11,
-  kDrill = 13,
-  kSeam = 14,
-  kWords = 15,
-  kTopstitch = kTopstitchLayer
-};
-
-using Line = std::function<void(Layer layer, const std::vector<Mm>& points, bool closed)>;
-
 std::vector<Mm> ring(const SheetPiece& piece, const Outline& outline) {
   std::vector<Mm> points;
   for (const Edge& edge : outline.edges) {
@@ -37,34 +20,40 @@ std::vector<Mm> ring(const SheetPiece& piece, const Outline& outline) {
   return points;
 }
 
-void eachLine(const SheetPiece& piece, const Line& line) {
+}  // namespace
+
+void eachLine(const SheetPiece& piece, const SheetLine& line) {
   const bool cut = !piece.cutLines.empty();
-  for (std::size_t i = 0; i < piece.cutLines.size(); ++i) line(i == 0 ? kBoundary : kCutOut, piece.cutLines[i], true);
-  line(cut ? kSeam : kBoundary, ring(piece, piece.piece->outline), true);
+  for (std::size_t i = 0; i < piece.cutLines.size(); ++i)
+    line(i == 0 ? SheetLayer::Boundary : SheetLayer::CutOut, piece.cutLines[i], true);
+  line(cut ? SheetLayer::Seam : SheetLayer::Boundary, ring(piece, piece.piece->outline), true);
   for (std::size_t k = 0; k < piece.piece->holes.size(); ++k)
-    line(cut || piece.foldedHoles.contains(k) ? kSeam : kCutOut, ring(piece, piece.piece->holes[k]), true);
+    line(cut || piece.foldedHoles.contains(k) ? SheetLayer::Seam : SheetLayer::CutOut,
+         ring(piece, piece.piece->holes[k]), true);
   for (const InternalLine& inner : piece.piece->lines) {
     std::vector<Mm> points;
     for (const Curve& curve : inner.curves) {
       const std::vector<Flat> part = curve.flattened(kMiss);
       if (points.empty() ||
           std::hypot(points.back().x - piece.at(part[0]).x, points.back().y - piece.at(part[0]).y) > 1e-3) {
-        if (points.size() > 1) line(kInner, points, false);
+        if (points.size() > 1) line(SheetLayer::Inner, points, false);
         points = {piece.at(part[0])};
       }
       for (std::size_t i = 1; i < part.size(); ++i) points.push_back(piece.at(part[i]));
     }
-    if (points.size() > 1) line(kInner, points, false);
+    if (points.size() > 1) line(SheetLayer::Inner, points, false);
   }
-  for (const SheetStitches& row : piece.stitches) line(kTopstitch, row.line, false);
-  for (const std::vector<Mm>& trim : piece.trims) line(kTopstitch, trim, false);
-  for (const SheetNotch& notch : piece.notches) line(kNotch, {notch.stroke.from, notch.stroke.to}, false);
+  for (const SheetStitches& row : piece.stitches) line(SheetLayer::Topstitch, row.line, false);
+  for (const std::vector<Mm>& trim : piece.trims) line(SheetLayer::Topstitch, trim, false);
+  for (const SheetNotch& notch : piece.notches) line(SheetLayer::Notch, {notch.stroke.from, notch.stroke.to}, false);
   for (const Mm drill : piece.drills)
     for (const Mm arm : {Mm{kDrillArm * 1000, 0}, Mm{0, kDrillArm * 1000}})
-      line(kDrill, {drill - arm, drill + arm}, false);
-  if (piece.grain) line(kGrain, {piece.grain->from, piece.grain->to}, false);
-  for (const std::vector<Mm>& fold : piece.folds) line(kGrain, fold, false);
+      line(SheetLayer::Drill, {drill - arm, drill + arm}, false);
+  if (piece.grain) line(SheetLayer::Grain, {piece.grain->from, piece.grain->to}, false);
+  for (const std::vector<Mm>& fold : piece.folds) line(SheetLayer::Grain, fold, false);
 }
+
+namespace {
 
 std::string ascii(std::string_view words) {
   std::string out;
@@ -80,23 +69,24 @@ std::string dxfOf(const Sheet& sheet) {
     out.append(std::to_string(code)).append("\r\n").append(value).append("\r\n");
   };
   const auto place = [&](Mm p) { group(10, fixed(p.x, 4)), group(20, fixed(sheet.height - p.y, 4)), group(30, "0"); };
-  const Line line = [&](Layer layer, const std::vector<Mm>& points, bool closed) {
-    const std::string on = std::to_string(layer);
+  const SheetLine line = [&](SheetLayer layer, const std::vector<Mm>& points, bool closed) {
+    const std::string on = std::to_string(static_cast<int>(layer));
     group(0, "POLYLINE"), group(8, on), group(66, "1"), place({0, sheet.height}), group(70, closed ? "1" : "0");
     for (const Mm p : points) group(0, "VERTEX"), group(8, on), place(p);
     group(0, "SEQEND"), group(8, on);
   };
   const auto words = [&](const SheetText& text, double turn) {
-    group(0, "TEXT"), group(8, std::to_string(kWords)), place(text.place), group(40, fixed(text.size, 2)),
-        group(1, ascii(text.words));
+    group(0, "TEXT"), group(8, std::to_string(static_cast<int>(SheetLayer::Words))), place(text.place),
+        group(40, fixed(text.size, 2)), group(1, ascii(text.words));
     if (turn != 0) group(50, fixed(turn, 1));
   };
   group(0, "SECTION"), group(2, "HEADER"), group(9, "$ACADVER"), group(1, "AC1009"), group(9, "$INSUNITS"),
       group(70, "4"), group(9, "$MEASUREMENT"), group(70, "1"), group(0, "ENDSEC");
   group(0, "SECTION"), group(2, "ENTITIES");
-  for (const std::vector<Mm>& border : sheet.borders) line(kWords, border, false);
+  for (const std::vector<Mm>& border : sheet.borders) line(SheetLayer::Words, border, false);
   const Mm square = sheet.square;
-  line(kWords, {square, square + Mm{kSquare, 0}, square + Mm{kSquare, kSquare}, square + Mm{0, kSquare}}, true);
+  line(SheetLayer::Words, {square, square + Mm{kSquare, 0}, square + Mm{kSquare, kSquare}, square + Mm{0, kSquare}},
+       true);
   for (const SheetText& heading : sheet.headings) words(heading, 0);
   for (const SheetPiece& piece : sheet.pieces) {
     eachLine(piece, line);
@@ -112,7 +102,7 @@ std::string hpglOf(const Sheet& sheet) {
   const auto unit = [](double mm) { return std::to_string(std::lround(mm * kUnits)); };
   const auto place = [&](Mm p) { return unit(p.y) + "," + unit(p.x); };
   std::string out = "IN;\nPS" + unit(sheet.height) + "," + unit(sheet.width) + ";\nSP1;\n";
-  const Line line = [&](Layer, const std::vector<Mm>& points, bool closed) {
+  const SheetLine line = [&](SheetLayer, const std::vector<Mm>& points, bool closed) {
     out += "PU" + place(points[0]) + ";PD";
     for (std::size_t i = 1; i < points.size(); ++i) out += (i > 1 ? "," : "") + place(points[i]);
     if (closed) out += "," + place(points[0]);
@@ -128,9 +118,10 @@ std::string hpglOf(const Sheet& sheet) {
     out += "SI" + fixed(wide, 3) + "," + fixed(tall, 3) + ";DI" + fixed(along.y, 0) + "," + fixed(along.x, 0) + ";PU" +
            place(at) + ";LB" + letters + "\x03;\n";
   };
-  for (const std::vector<Mm>& border : sheet.borders) line(kWords, border, false);
+  for (const std::vector<Mm>& border : sheet.borders) line(SheetLayer::Words, border, false);
   const Mm square = sheet.square;
-  line(kWords, {square, square + Mm{kSquare, 0}, square + Mm{kSquare, kSquare}, square + Mm{0, kSquare}}, true);
+  line(SheetLayer::Words, {square, square + Mm{kSquare, 0}, square + Mm{kSquare, kSquare}, square + Mm{0, kSquare}},
+       true);
   for (const SheetText& heading : sheet.headings) words(heading, false);
   for (const SheetPiece& piece : sheet.pieces) {
     eachLine(piece, line);

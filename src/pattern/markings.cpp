@@ -139,8 +139,8 @@ std::vector<NotchPlace> notchPlaces(const Pattern& pattern) {
         const SeamPlace onA = sides.a.at(at), onB = sides.b.at(at);
         const auto one = borderPlace(pattern, onA), other = borderPlace(pattern, onB);
         if (!one || !other) continue;
-        out.push_back({onA.piece, one->place, one->outward, seam.name, false, onA.edge});
-        out.push_back({onB.piece, other->place, other->outward, seam.name, false, onB.edge});
+        out.push_back({onA.piece, one->place, one->outward, seam.name, false, onA.edge, one->corner});
+        out.push_back({onB.piece, other->place, other->outward, seam.name, false, onB.edge, other->corner});
       }
     }
   }

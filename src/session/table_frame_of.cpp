@@ -91,8 +91,12 @@ void addLabels(TablePiece& drawn, const std::vector<Message>& words, Flat lies, 
 
 CutFacts factsOf(const Document& document, const AllowancePlan& plan, const Piece& piece, bool faceDown) {
   const auto own = document.cutting.find(piece.id);
-  return {
-      own == document.cutting.end() ? Cutting() : own->second, plan.onFold(piece), faceDown, sizeSaid(document), {}};
+  return {own == document.cutting.end() ? Cutting() : own->second,
+          plan.onFold(piece),
+          faceDown,
+          sizeSaid(document),
+          {},
+          {}};
 }
 
 std::vector<std::string> inWords(const std::vector<Message>& lines, Language language) {

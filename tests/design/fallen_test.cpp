@@ -33,7 +33,7 @@ TEST(Fallen, IsToldOnceForWhatHangsTogether) {
   EXPECT_THAT(toldAfterFalling(0.4, "pin piece=front at=0,0\n"), testing::IsEmpty()) << "it hangs from its pin";
 }
 
-// A child's cuffs on cells of 20 mm lie round the wrist in six corners.
+// A child's cuffs on cells of 20 mm lie round the wrist as a polygon of nine corners.
 TEST(CoarseCells, RoundAWristAreTold) {
   const auto told = [](const std::string& figure, int millimetres) {
     Workroom room;
@@ -45,7 +45,7 @@ TEST(CoarseCells, RoundAWristAreTold) {
                                     "mm\nblock kind=shirt\ndrape\n"));
     return all;
   };
-  EXPECT_THAT(told("child110", 20), testing::ElementsAre(testing::HasSubstr("Drape in finer cells: set spacing=1")));
+  EXPECT_THAT(told("child110", 20), testing::ElementsAre(testing::HasSubstr("Drape in finer ones: set spacing=12mm")));
   EXPECT_THAT(told("child110", 13), testing::IsEmpty());
   EXPECT_THAT(told("eu38", 20), testing::IsEmpty());
 }

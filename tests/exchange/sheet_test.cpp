@@ -394,6 +394,76 @@ TEST(Sheet, TellsHowOftenAPieceIsCutAndWhatLiesOnTheFold) {
   EXPECT_EQ(layOut(skirtPanel(), {})->pieces[0].texts[1].words, "Cut 1 on fold · Cotton");
 }
 
+Outline outlineOf(const Ring& corners) {
+  Outline outline;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    outline.edges.push_back({"e" + std::to_string(k + 1), Curve::line(corners[k], corners[(k + 1) % corners.size()])});
+  return outline;
+}
+
+// A left and a right front, sewn to the two sides of a back; what is drawn on one of them is drawn on the other.
+Pattern leftAndRight() {
+  Pattern pattern;
+  const auto add = [&](std::uint64_t id, const std::string& name, const Ring& corners, std::uint64_t mirrorOf) {
+    Piece piece;
+    piece.id = {id}, piece.name = name, piece.mirrorOf = {mirrorOf};
+    piece.outline = outlineOf(corners);
+    pattern.pieces[piece.id] = std::make_shared<const Piece>(piece);
+  };
+  add(1, "left", {{0, 0}, {0.3, 0}, {0.25, 0.5}, {0, 0.4}}, 0);
+  add(2, "right", {{0, 0}, {0, 0.4}, {-0.25, 0.5}, {-0.3, 0}}, 1);
+  add(3, "back", {{0, 0}, {0.4, 0}, {0.4, 0.5}, {0, 0.5}}, 0);
+  const auto sew = [&](std::uint64_t id, PieceId piece, const std::string& edge, const std::string& back) {
+    Seam seam;
+    seam.id = {id};
+    seam.a = {{piece, edge}}, seam.b = {{{3}, back}};
+    pattern.seams[seam.id] = seam;
+  };
+  sew(1, {1}, "e2", "e2"), sew(2, {2}, "e3", "e4");
+  return pattern;
+}
+
+TEST(Sheet, WhatIsCutInPairsIsDrawnOnce) {
+  Pattern pattern = leftAndRight();
+  SheetSettings settings;
+  EXPECT_EQ(layOut(pattern, settings)->pieces.size(), 3u);
+  settings.pairsOnce = true;
+  const auto sheet = layOut(pattern, settings);
+  ASSERT_TRUE(sheet);
+  ASSERT_EQ(sheet->pieces.size(), 2u);
+  const SheetPiece& front = sheet->pieces[0];
+  EXPECT_EQ(front.texts[0].words, "left, right");
+  EXPECT_EQ(front.texts[1].words, "Cut 2 (1 pair) · Cotton");
+  const auto says = [](const SheetPiece& piece, const std::string& words) {
+    return std::any_of(piece.texts.begin(), piece.texts.end(),
+                       [&](const SheetText& text) { return text.words == words; });
+  };
+  EXPECT_TRUE(says(front, "1/2")) << "of both seams";
+  EXPECT_TRUE(says(sheet->pieces[1], "1") && says(sheet->pieces[1], "2"));
+  EXPECT_TRUE(std::any_of(sheet->headings.begin(), sheet->headings.end(), [](const SheetText& text) {
+    return text.words.find("one turned over") != std::string::npos;
+  }));
+  // What differs in anything is drawn by itself: a notch on one, another cloth, another width of an allowance.
+  const auto drawn = [&] { return layOut(pattern, settings)->pieces.size(); };
+  const auto changed = [&](const auto& change) {
+    pattern = leftAndRight();
+    Piece piece = *pattern.pieces.at({2});
+    change(piece);
+    pattern.pieces[{2}] = std::make_shared<const Piece>(piece);
+    return drawn();
+  };
+  EXPECT_EQ(changed([](Piece& piece) { piece.marks.push_back({"n", "e1", 0.3, {}}); }), 3u);
+  EXPECT_EQ(changed([](Piece& piece) { piece.fabric = "denim"; }), 3u);
+  EXPECT_EQ(changed([](Piece& piece) { piece.mirrorOf = {}; }), 3u);
+  EXPECT_EQ(changed([](Piece& piece) {
+              piece.outline = outlineOf({{0, 0}, {0, 0.4}, {-0.25, 0.5}, {-0.302, 0}});
+            }),
+            3u);
+  EXPECT_EQ(changed([](Piece&) {}), 2u);
+  settings.allowances.edges[{{2}, "e2"}] = 0.02;
+  EXPECT_EQ(drawn(), 3u);
+}
+
 // A size of which a measure was changed is not that size.
 TEST(Sheet, TellsWhetherAFigureIsOfItsSize) {
   Document document;

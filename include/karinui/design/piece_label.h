@@ -15,6 +15,7 @@ struct CutFacts {
   bool onFold = false, faceDown = false;
   Message size;      // as sizeSaid() has it; nothing: not told
   std::string date;  // of the print; nothing: not told
+  std::string twin;  // the name of what is cut by the same drawing, turned over; nothing: there is none
 };
 // Whether every measure of the figure is that of the built-in size it starts from.
 bool ofItsSize(const BodyChoice& body);

@@ -43,6 +43,9 @@ struct ExportSource {
 // Writes an export with what stands beside it. The file itself comes last.
 Done writeExport(const std::filesystem::path& file, std::string_view bytes, const std::vector<SideFile>& beside);
 
+struct FileFormat;
+bool isPaper(const FileFormat& format);  // to be cut by: PDF and plotter; a drawing (SVG) is read back piece by piece
+
 struct CadPattern;     // exchange/dxf.h
 Message unitIsTold();  // the refusal of a unit for a file that always tells its own
 

@@ -25,6 +25,7 @@ struct SheetSettings {
   std::vector<MatchMark> matches;         // where the lines of its print cross seams
   std::vector<Message> order;             // in which it is sewn, a sentence each
   bool nest = false;                      // all sizes over one another, not only the one that stands
+  bool pairsOnce = false;                 // of pieces that are each other's mirror image one, to be cut in pairs
   Message size;                           // that stands, or of the figure; empty: not told
   std::string date;                       // of the print, as it is to be read; empty: not told
   std::optional<double> allowance;        // metres, of seams, in place of the garment's own; 0: seam lines only

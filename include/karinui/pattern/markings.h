@@ -33,9 +33,10 @@ std::optional<BorderPlace> sewnPlace(const Pattern& pattern, const SeamPlace& at
 struct NotchPlace {
   PieceId piece;
   Flat place, outward;
-  std::string seam;  // its name; a seam need not have one
-  bool own = false;  // the person's own
-  std::string edge;  // on which it is
+  std::string seam;     // its name; a seam need not have one
+  bool own = false;     // the person's own
+  std::string edge;     // on which it is
+  bool corner = false;  // of the outline, which marks the place by itself
 };
 std::vector<NotchPlace> notchPlaces(const Pattern& pattern);
 // From the seam line out to the cut line; on a pattern of seam lines only (allowance 0), a short stroke inwards.

@@ -4,8 +4,8 @@
 
 namespace karinui {
 
-// Advises finer cells where an opening of the draped garment, such as a cuff, goes round a limb in few of them: a
-// polygon of so few corners presses on the limb as no cloth does. Nothing is told of cells of the usual width.
+// Advises finer cells where an opening of the draped garment, such as a cuff, goes round a limb in few of them and so
+// presses as no cloth does: it is a polygon of few corners. Nothing is told of cells of the usual width.
 void tellCoarseCells(const Document& draped, Context& context);
 
 }  // namespace karinui

@@ -14,10 +14,10 @@ namespace {
 constexpr double kLeastPart = 0.01;  // of an edge that is sewn by itself
 
 using Copies = std::map<PieceId, PieceId>;  // of each lined piece its lining
-using Run = std::vector<EdgeSpan>;
+using LiningRun = std::vector<EdgeSpan>;
 using Parts = std::vector<DividedPart::EdgePart>;
 
-bool inside(const Document& document, const Copies& copies, const Run& side) {
+bool inside(const Document& document, const Copies& copies, const LiningRun& side) {
   return std::all_of(side.begin(), side.end(), [&](const EdgeSpan& span) {
     return copies.contains(span.piece) && document.find(span.piece)->outline.find(span.edge);
   });
@@ -66,8 +66,8 @@ void followMarks(std::vector<Mark>& marks, const Parts& parts) {
 }
 
 // What of a piece's edges no seam of the lining holds, as runs that go on over corners.
-std::vector<Run> freeRuns(const Piece& piece, const std::vector<EdgeSpan>& held, const std::set<std::string>& open,
-                          const AllowancePlan& kinds) {
+std::vector<LiningRun> freeRuns(const Piece& piece, const std::vector<EdgeSpan>& held,
+                                const std::set<std::string>& open, const AllowancePlan& kinds) {
   std::vector<EdgeSpan> left;
   for (const Edge& edge : piece.outline.edges) {
     if (open.contains(edge.name) || kinds.kind(piece.id, edge.name) == EdgeKind::Fold) continue;
@@ -82,7 +82,7 @@ std::vector<Run> freeRuns(const Piece& piece, const std::vector<EdgeSpan>& held,
     for (const auto& [begin, end] : taken) add(begin), from = std::max(from, end);
     add(1);
   }
-  std::vector<Run> runs;
+  std::vector<LiningRun> runs;
   const auto& edges = piece.outline.edges;
   const auto goesOn = [&](const EdgeSpan& a, const EdgeSpan& b) {
     return a.to == 1 && b.from == 0 && edges[(*piece.outline.find(a.edge) + 1) % edges.size()].name == b.edge;
@@ -193,7 +193,7 @@ Result<Document> perform(const Document& before, const LinePieces& op, Context& 
     std::set<std::string> free;
     for (const EdgeRef& edge : open)
       if (edge.piece == ref) free.insert(edge.edge);
-    for (const Run& run : freeRuns(*before.find(ref.id), held, free, kinds)) {
+    for (const LiningRun& run : freeRuns(*before.find(ref.id), held, free, kinds)) {
       Seam seam;
       seam.id = mint<SeamId>(before, sewn++);
       seam.a = run, seam.b = onParts(run, parts);
