@@ -249,7 +249,7 @@ class PythonDocument {
     return alone([](DocumentFile& file, Context& context) -> Result<std::map<std::string, double>> {
       const auto body = bodyOf(file.document(), context);
       if (!body) return body.error();
-      return karinui::measure((*body)->mesh(), (*body)->bvh()).value;
+      return (*body)->measured().value;  // in its own pose
     });
   }
   std::size_t exportTo(const std::filesystem::path& out, const PaperAsked& asked, const std::vector<std::string>& poses,

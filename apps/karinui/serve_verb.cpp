@@ -251,7 +251,7 @@ class Server {
     if (const Done fit = fields.checked(); !fit) return fit.error();
     const Result<BodyPtr> body = bodyOf(opened_->document(), opened_->context());
     if (!body) return body.error();
-    return bodyJson(karinui::measure((*body)->mesh(), (*body)->bvh()), inspect((*body)->mesh()));
+    return bodyJson((*body)->measured(), inspect((*body)->mesh()));  // in its own pose
   }
   Result<Json> fit(Fields& fields, StopRequest&) {
     if (const Done asked = fields.checked(); !asked) return asked.error();

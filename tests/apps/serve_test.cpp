@@ -118,6 +118,19 @@ TEST(Serve, WorksOnADocument) {
   EXPECT_EQ(serving.end(), 0);
 }
 
+// Seated, the level of the hip goes through the thighs, and no leg hangs below the crotch.
+TEST(Serve, MeasuresAFigureInItsOwnPose) {
+  Serving serving;
+  serving.ask({{"do", "create"}});
+  ASSERT_EQ(serving.ask({{"do", "perform"}, {"operation", "body size=eu38"}})["operations"], 1);
+  const Json standing = serving.ask({{"do", "measure"}})["measurements"];
+  EXPECT_NEAR(standing["hip_girth"].get<double>(), 0.97, 0.003);
+  EXPECT_NEAR(standing["waist_girth"].get<double>(), 0.72, 0.003);
+  ASSERT_EQ(serving.ask({{"do", "perform"}, {"operation", "pose name=seated"}})["operations"], 2);
+  EXPECT_EQ(serving.ask({{"do", "measure"}})["measurements"], standing);
+  EXPECT_EQ(serving.end(), 0);
+}
+
 TEST(Serve, SaysWhatIsWrongInASentenceAndGoesOn) {
   Serving serving;
   const auto refusal = [&](const Json& said) { return said.value("error", std::string("none: ") + said.dump()); };

@@ -78,6 +78,14 @@ class Documents(unittest.TestCase):
             coat.perform(7)
         self.assertEqual(coat.operations, 0)
 
+    def test_a_figure_is_measured_in_its_own_pose(self):
+        figure = karinui.Document.create()
+        figure.perform("body size=eu38")
+        standing = figure.measure()
+        self.assertAlmostEqual(standing["hip_girth"], 0.97, 2)
+        figure.perform("pose name=seated")
+        self.assertEqual(figure.measure(), standing)
+
     def test_a_closed_document_says_so(self):
         path = self.folder / "coat.karinui"
         with karinui.Document.create(path) as coat:
