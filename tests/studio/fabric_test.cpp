@@ -248,7 +248,15 @@ TEST(StudioFabric, AFabricIsMeasuredOnATable) {
   type("Name of the fabric", "old_linen");
   EXPECT_THAT(told->text().toStdString(), HasSubstr("Linen"));
   ASSERT_TRUE(add()->isEnabled()) << told->text().toStdString();
+  const auto readings = [&](const char* length, const char* width, const char* mass, const char* weft) {
+    type("Length of the swatch", length);
+    type("Width of the swatch", width);
+    type("Its mass", mass);
+    type("Overhang, weft", weft);
+  };
+  readings("100", "100", "1.9 1.9 2.0", "42.6");  // as the guide shows them
   w.keepDialog(*wizard, "studio_measure_fabric");
+  readings("10 cm", "10,0cm 100 mm 100", "1.9、1,9　２．０", "4.26cm");
   const std::size_t steps = w.count();
   w.click(*add(), add()->rect().center());
   w.rest();
