@@ -377,6 +377,11 @@ TEST_F(Batch, TellsWhatManyProcessorsWouldBring) {
     EXPECT_THAT(spoken.out, testing::Not(HasSubstr("_"))) << "no name of the JSON";
     EXPECT_THAT(spoken.err, HasSubstr(well));
   }
+  const Said one = karinui(
+      "batch throughput " + (folder / "designs") + " " + (folder / "two.csv") + " --sample 1 --garments 1 --cores 1",
+      "C TMPDIR='" + (folder / "scratch") + "'");
+  EXPECT_THAT(one.out, HasSubstr("1 garment on 1 processor would take:"));
+  EXPECT_THAT(one.out, HasSubstr("1 time as many"));
   EXPECT_TRUE(fs::is_empty(folder / "scratch"));
 }
 

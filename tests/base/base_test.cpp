@@ -24,6 +24,14 @@ TEST(Message, PutsValuesWhereThePatternSays) {
   EXPECT_EQ(text(say("{9} {x} {0}", 7)), "{9} {x} 7");
 }
 
+// A dialog is called as the entry of the menu that opens it.
+TEST(Message, ADialogIsCalledAsItsEntry) {
+  for (const auto& [entry, title] :
+       {std::pair(say("Picture of the fitting…"), say("Picture of the fitting")),
+        std::pair(say("Share the pattern…"), say("Share the pattern")), std::pair(say("Lay plan…"), say("Lay plan"))})
+    EXPECT_EQ(text(title, Language::Japanese) + "…", text(entry, Language::Japanese));
+}
+
 TEST(Message, CountsOneAsOne) {
   const auto said = [](auto n) { return text(say("There {0|is|are} {0} {0|seam|seams}", n)); };
   EXPECT_EQ(said(1), "There is 1 seam");

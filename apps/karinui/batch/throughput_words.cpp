@@ -40,15 +40,17 @@ std::string throughputWords(const Throughput& found, double garments, double cor
   reckoned.row({said(say("Planning")), clockSaid(time.plan)});
   reckoned.row({said(say("Garments")), clockSaid(time.garments)});
   reckoned.row({said(say("The table")), clockSaid(time.merge)});
-  reckoned.row({said(say("All together")),
-                said(say("{0}, {1} garments an hour, {2} times as many as on one processor", clockSaid(time.all()),
-                         countSaid(3600 * garments / time.all()), countSaid(one.all() / time.all())))});
   reckoned.row(
-      {said(say("The file server")), said(say("{0} files a second, {1} MB/s read, {2} MB/s written", countSaid(busy),
-                                              fixed(busy * found.in * 1e-6, 2), fixed(busy * found.out * 1e-6, 2)))});
+      {said(say("All together")),
+       said(say("{0}, {1} {1|garment|garments} an hour, {2} {2|time|times} as many as on one processor",
+                clockSaid(time.all()), countSaid(3600 * garments / time.all()), countSaid(one.all() / time.all())))});
+  reckoned.row({said(say("The file server")),
+                said(say("{0} {0|file|files} a second, {1} MB/s read, {2} MB/s written", countSaid(busy),
+                         fixed(busy * found.in * 1e-6, 2), fixed(busy * found.out * 1e-6, 2)))});
   return said(say("Measured on {0} {0|garment|garments}, one thread each:", found.sample)) + "\n" + measured.words(2) +
-         said(say("{0} garments on {1} processors would take:", countSaid(garments), countSaid(cores))) + "\n" +
-         reckoned.words(2);
+         said(say("{0} {0|garment|garments} on {1} {1|processor|processors} would take:", countSaid(garments),
+                  countSaid(cores))) +
+         "\n" + reckoned.words(2);
 }
 
 }  // namespace karinui::app
