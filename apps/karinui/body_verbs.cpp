@@ -48,8 +48,9 @@ Result<Measurements> wanted(Program& program, const MakeOptions& options) {
     }
     const Result<std::string> key = measurementKey(stated.substr(0, is));
     if (!key) return key.error();
-    if (const Done meant = isAngle(*key) ? Done() : unitMeant(stated.substr(is + 1)); !meant) return meant.error();
-    const Result<double> value = parseLength(stated.substr(is + 1));
+    const std::string number = stated.substr(is + 1);
+    if (const Done meant = isAngle(*key) ? Done() : unitMeant(number); !meant) return meant.error();
+    const Result<double> value = isAngle(*key) ? parseAngle(number) : parseLength(number);
     if (!value) return value.error();
     own[*key] = *value;
   }

@@ -337,6 +337,8 @@ TEST_F(Command, RefusesABodyNobodyHas) {
   EXPECT_FALSE(said.err.empty());
   EXPECT_FALSE(fs::exists(folder / "b.obj"));
   EXPECT_EQ(karinui("body make --set best_girth=88cm -o " + (folder / "b.obj")).exit, 3);
+  EXPECT_THAT(karinui("body make --size eu38 --set arm_angle=40deg -o " + (folder / "b.obj")).err,
+              HasSubstr("only measured"));
 }
 
 TEST_F(Command, PlaysSettlesChecksAndExports) {
