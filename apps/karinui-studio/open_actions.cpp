@@ -222,9 +222,9 @@ void MainWindow::askNew() {
   chooseSize(*size, kUsualSize);
   form->addRow(inWords(say("Name")), name);
   form->addRow(inWords(say("Figure")), size);
-  auto* note = new QLabel(inWords(
-      say("Measurements can be typed in the body panel at any time. Every step is saved at once; without a name it "
-          "is a draft.")));
+  auto* note = new QLabel(
+      inWords(say("Measures can be typed on the board Body at any time. Every step is saved at once; without a name it "
+                  "is a draft.")));
   note->setWordWrap(true);
   note->setProperty("role", "faint");
   form->addRow(note);

@@ -126,8 +126,8 @@ StartPage::StartPage() : thumbnails_(new Thumbnails(kPicture * 2)) {
   fresh_ = way(say("New garment…"), say("Begins a garment on a figure."), "new", &StartPage::freshAsked);
   fresh_->setDefault(true);
   way(say("Start from a block…"),
-      say("Begins with a shirt, a bodice, a skirt or trousers drafted from a figure's measures."), "rectangle",
-      &StartPage::blockAsked);
+      say("Begins with a shirt, a bodice, a skirt, trousers or leggings drafted from a figure's measures."),
+      "rectangle", &StartPage::blockAsked);
   way(say("Open…"), say("Opens a Karinui document."), "open", &StartPage::openAsked);
   way(say("Import…"), say("Begins with a body or a pattern from a file."), "body", &StartPage::importAsked);
   ways_->addSpacing(18);
