@@ -1,4 +1,4 @@
-// What comes to rest where it is not worn, or in cells that are too wide, is told of.
+// What comes to rest where it is not worn is told of.
 #include <gmock/gmock.h>
 
 #include "design/workroom.h"
@@ -31,23 +31,6 @@ TEST(Fallen, IsToldOnceForWhatHangsTogether) {
   EXPECT_THAT(toldAfterFalling(0.4), testing::ElementsAre(testing::HasSubstr("has slid down by 40 cm")));
   EXPECT_THAT(toldAfterFalling(0.2), testing::IsEmpty()) << "as far as cloth settles";
   EXPECT_THAT(toldAfterFalling(0.4, "pin piece=front at=0,0\n"), testing::IsEmpty()) << "it hangs from its pin";
-}
-
-// A child's cuffs on cells of 20 mm lie round the wrist as a polygon of nine corners.
-TEST(CoarseCells, RoundAWristAreTold) {
-  const auto told = [](const std::string& figure, int millimetres) {
-    Workroom room;
-    room.context.drape = {};  // the solver
-    std::vector<std::string> all;
-    room.context.advise = [&](const Advice& advice) { all.push_back(text(advice.what)); };
-    DocumentFile file = DocumentFile::inMemory();
-    EXPECT_TRUE(room.play(file, "body size=" + figure + "\nset spacing=" + std::to_string(millimetres) +
-                                    "mm\nblock kind=shirt\ndrape\n"));
-    return all;
-  };
-  EXPECT_THAT(told("child110", 20), testing::ElementsAre(testing::HasSubstr("Drape in finer ones: set spacing=12mm")));
-  EXPECT_THAT(told("child110", 13), testing::IsEmpty());
-  EXPECT_THAT(told("eu38", 20), testing::IsEmpty());
 }
 
 // Two sheets before the body, one a centimetre in front of the other.

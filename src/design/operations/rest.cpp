@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 
-#include "design/operations/coarse_cells.h"
 #include "design/operations/dressing.h"
 #include "karinui/geometry/bvh.h"
 #include "karinui/pattern/facing.h"
@@ -116,10 +115,8 @@ Done resolve(const Document& before, DrapePieces& op, Context&) {
 Result<Document> perform(const Document& before, const DrapePieces& op, Context& context) {
   const Result<DrapeOutcome> outcome = draped(before, op, context);
   if (!outcome) return outcome.error();
-  Document after = adopted(before, *outcome);
-  if (context.advise)
-    tellFallen(before, *outcome, context), tellLayers(before, *outcome, context), tellCoarseCells(after, context);
-  return after;
+  if (context.advise) tellFallen(before, *outcome, context), tellLayers(before, *outcome, context);
+  return adopted(before, *outcome);
 }
 
 Done resolve(const Document& before, PullCloth& op, Context&) {
