@@ -44,7 +44,7 @@ const std::string kTop =
     "sew a=front.side_left b=back.side_left mirror=yes\n";
 constexpr const char* kFigure = "body size=eu38\n";
 constexpr const char* kShirt = "body size=eu38\nblock kind=shirt\n";
-constexpr const char* kSkirt = "body size=eu38\nblock kind=skirt\n";
+constexpr const char* kSkirtBlock = "body size=eu38\nblock kind=skirt\n";
 const std::string kPieces =
     "rectangle name=skirt width=90cm height=60cm edges=\"hem side_left waist side_right\"\n"
     "polygon name=sleeve points=\"-16cm,0; 16cm,0; 19cm,20cm; 0,33cm; -19cm,20cm\" "
@@ -76,7 +76,7 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
        std::string(kShirt) + "unsew seam=opening\nunsew seam=collar\nrectangle name=band width=70cm height=4cm "
                              "edges=\"low end_left top end_right\"\n"},
       {"last=8cm stand=15mm", kShirt},
-      {"fasten kind=zip a=skirt_front.side_left", kSkirt},
+      {"fasten kind=zip a=skirt_front.side_left", kSkirtBlock},
       {"fasten name=buttons closed=4",
        std::string(kShirt) + "unsew seam=opening\nfasten a=front_right.centre b=front_left.centre count=6\n"
                              "rectangle name=one width=20cm height=30cm\nrectangle name=two width=20cm height=30cm\n"
@@ -96,9 +96,9 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
        "place piece=front at=torso:armpit@0 point=\"0,38cm\"\nplace piece=back at=torso:armpit@0.5 point=\"0,38cm\"\n"
        "sew a=front.side_left b=back.side_right\nsew a=front.side_right b=back.side_left\n"},
       {"pivot dart=front.dart", "body size=eu38\nblock kind=bodice\n"},
-      {"shift_dart dart=skirt_front", kSkirt},
+      {"shift_dart dart=skirt_front", kSkirtBlock},
       {"lengthen edges=", kShirt},
-      {"cut piece=skirt_front", kSkirt},
+      {"cut piece=skirt_front", kSkirtBlock},
       {"spread from=skirt.hem", kTop + kPieces},
       {"fair edges=\"sleeve.cap_back",
        "polygon name=sleeve points=\"-16cm,0; 16cm,0; 19cm,40cm; 0,54cm; -19cm,40cm\" "
@@ -113,7 +113,7 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
       {"block kind=shirt", ""},
       {"block kind=bodice", ""},
       {"fly a=leg_front_left", std::string(kFigure) + "block kind=trousers\n"},
-      {"band name=belt", kSkirt},
+      {"band name=belt", kSkirtBlock},
       {"ring name=cape_left", kFigure},
       {"duplicate piece=front name=back by=0,0,-40cm", ""},
       {"piece name=front outline", ""},
