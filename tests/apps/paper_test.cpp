@@ -58,5 +58,24 @@ TEST(Paper, IsAskedForByItsName) {
   EXPECT_EQ(widths("--allowance 0"), "");
 }
 
+// Four legs of trousers are two pairs.
+TEST(Paper, LeftAndRightAlikeAreDrawnOnce) {
+  const Folder folder;
+  const std::string document = folder / "trousers.karinui";
+  write(folder / "trousers.ops", "body size=eu38\nblock kind=trousers\n");
+  ASSERT_EQ(karinui("play " + (folder / "trousers.ops") + " -o " + document).exit, 0);
+  const auto pages = [&](const std::string& more) {
+    const std::string file = folder / "trousers.pdf";
+    EXPECT_EQ(karinui("export " + document + " -o " + file + " --paper a4 " + more).exit, 0);
+    const std::string pdf = contents(file);
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = pdf.find("/MediaBox", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  const std::size_t all = pages(""), once = pages("--pairs-once");
+  EXPECT_GT(once, 5u);
+  EXPECT_LT(static_cast<double>(once), 0.6 * static_cast<double>(all));
+}
+
 }  // namespace
 }  // namespace karinui::test

@@ -137,6 +137,7 @@ TEST_F(WrittenFiles, WhatASheetCannotHoldIsRefusedAndLettersOfEitherCaseAreTaken
                                           {"x.dxf", "--date today", "--date says nothing of “x.dxf”"},
                                           {"x.json", "--nest", "--nest says nothing of “x.json”"},
                                           {"x.plt", "--overlap 12", "--overlap says nothing of “x.plt”"},
+                                          {"x.svg", "--pairs-once", "--pairs-once says nothing of “x.svg”"},
                                           {"x.json", "--format dxf-aama", "“dxf-aama” is no format of x.json"}}) {
     const Said said = exported(file, more);
     EXPECT_EQ(said.exit, 3) << more;
