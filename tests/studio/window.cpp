@@ -13,6 +13,7 @@
 #include <cstdlib>
 
 #include "drafts.h"
+#include "karinui/base/file.h"
 #include "karinui/design/script.h"
 
 namespace karinui::studio {
@@ -140,6 +141,19 @@ void Window::openTunic() {
   }
   const fs::path mine = folder_.path / "tunic.karinui";
   fs::copy_file(made, mine);
+  open(mine);
+  view(View::Front);
+}
+
+void Window::openExample(const std::string& name) {
+  const fs::path mine = folder_.path / (name + ".karinui");
+  {
+    Session maker(options());
+    maker.create(mine);
+    const auto lines = parseScript(*readFile(KARINUI_SOURCE_DIR "/examples/" + name + ".ops"));
+    ASSERT_TRUE(lines);
+    for (const ScriptLine& line : *lines) maker.perform(line.operation), maker.finish();
+  }
   open(mine);
   view(View::Front);
 }

@@ -58,6 +58,7 @@ class Window {
   }
   // The sewn tunic, draped once for all tests, in a file of this test's own.
   void openTunic();
+  void openExample(const std::string& name);  // of examples/, played now
 
   QPointF inSpace(const char* piece, Flat paper);
   QPointF onTable(const char* piece, Flat paper);
