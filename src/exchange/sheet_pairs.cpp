@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace karinui {
 
@@ -58,8 +59,10 @@ bool cutAlike(const SheetPiece& one, const SheetPiece& other, const SheetSetting
     return std::any_of(settings.matches.begin(), settings.matches.end(),
                        [&](const MatchMark& mark) { return mark.piece == piece.piece->id; });
   };
-  return one.piece->fabric == other.piece->fabric && one.piece->interfacing == other.piece->interfacing &&
-         cutting(one) == cutting(other) && !matched(one) && !matched(other);
+  const Flat grain = one.piece->grain;
+  return distance({-grain.u, grain.v}, other.piece->grain) < 1e-3 && one.piece->fabric == other.piece->fabric &&
+         one.piece->interfacing == other.piece->interfacing && cutting(one) == cutting(other) && !matched(one) &&
+         !matched(other);
 }
 
 bool isTurnedOver(const SheetPiece& second, const SheetPiece& first) {
@@ -82,13 +85,16 @@ Mm turnedOver(const SheetPiece& second, const SheetPiece& first, Mm place) {
 
 std::map<PieceId, PieceId> secondsOfPairs(const std::vector<SheetPiece>& pieces, const SheetSettings& settings) {
   std::map<PieceId, PieceId> seconds;
+  std::set<PieceId> paired;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::size_t j = i + 1; j < pieces.size(); ++j) {
       const SheetPiece &first = pieces[i], &second = pieces[j];
       const PieceId one = first.piece->id, other = second.piece->id;
-      if (first.strip || second.strip || seconds.contains(one) || seconds.contains(other)) continue;
+      if (first.strip || second.strip || paired.contains(one) || paired.contains(other)) continue;
       if (first.piece->mirrorOf != other && second.piece->mirrorOf != one) continue;
-      if (cutAlike(first, second, settings) && isTurnedOver(second, first)) seconds[other] = one;
+      if (!cutAlike(first, second, settings) || !isTurnedOver(second, first)) continue;
+      seconds[other] = one;
+      paired.insert({one, other});
     }
   return seconds;
 }

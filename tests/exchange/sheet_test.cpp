@@ -455,11 +455,19 @@ TEST(Sheet, WhatIsCutInPairsIsDrawnOnce) {
   EXPECT_EQ(changed([](Piece& piece) { piece.marks.push_back({"n", "e1", 0.3, {}}); }), 3u);
   EXPECT_EQ(changed([](Piece& piece) { piece.fabric = "denim"; }), 3u);
   EXPECT_EQ(changed([](Piece& piece) { piece.mirrorOf = {}; }), 3u);
+  EXPECT_EQ(changed([](Piece& piece) { piece.grain = {0.6, 0.8}; }), 3u);
   EXPECT_EQ(changed([](Piece& piece) {
               piece.outline = outlineOf({{0, 0}, {0, 0.4}, {-0.25, 0.5}, {-0.302, 0}});
             }),
             3u);
   EXPECT_EQ(changed([](Piece&) {}), 2u);
+  // A third that is alike is no part of the pair.
+  Piece third = *pattern.pieces.at({2});
+  third.id = {4}, third.name = "spare";
+  pattern.pieces[third.id] = std::make_shared<const Piece>(third);
+  pattern.seams.clear();
+  EXPECT_EQ(drawn(), 3u) << "the pair, the back, the third";
+  pattern = leftAndRight();
   settings.allowances.edges[{{2}, "e2"}] = 0.02;
   EXPECT_EQ(drawn(), 3u);
 }
