@@ -95,8 +95,6 @@ Done decide(const Document& before, Fasten& op) {
     return refused(say("A zip has a length, and where it begins (first); no number, spacing, last or inset."));
   if (!zip && op.length) return refused(say("Only a zip has a length."));
   if (op.stand && !hasCloth(kind)) return refused(say("Only buttons and snaps have a stand."));
-  if (op.stand && !(*op.stand >= 0.004 && *op.stand <= kWidestStand))
-    return refused(say("A stand is 4 to 100 mm wide."));
   if (!zip && op.unpick == Choice::Yes && !op.stand)
     return refused(say("A seam is opened for a zip, or for buttons and snaps with a stand."));
   if (op.size && !hasCloth(kind)) return refused(say("Only buttons and snaps have a size."));
