@@ -18,6 +18,7 @@ constexpr int kCoarseSpeedup = 4;             // which needs so many times fewer
 constexpr std::size_t kLeastForCoarse = 200;  // and does not pay for fewer unknowns
 constexpr int kMostSolves = 20;               // with one coarse matrix
 constexpr double kMostGrowth = 1.4;           // times as many iterations as when it was new: then it is assembled anew,
+constexpr int kNewSolves = 3;                 // new for the solves of a whole Newton's method, which differ,
 constexpr int kFewIterations = 10;            // unless they are few anyway
 
 struct Axes {
@@ -119,14 +120,7 @@ void BlockSystem::invertDiagonal(Workers& workers) {
   for (const DependentSlot& dependent : dependents_)
     for (std::size_t e = 0; e < 6; ++e)
       sum[e][dependent.independent] += dependent.weight * dependent.weight * sum[e][dependent.slot];
-  for (const Coupling& c : couplings_)
-    for (const TieMap::Term& term : c.terms) {
-      Block3 block{};
-      addIdentityAndOuter(block, term.weight * term.weight * c.across, term.weight * term.weight * (c.along - c.across),
-                          c.normal);
-      constexpr std::size_t kFrom[] = {0, 1, 2, 4, 5, 8};
-      for (std::size_t e = 0; e < 6; ++e) sum[e][slotOf_[term.unknown]] += block[kFrom[e]];
-    }
+  couplings_.addDiagonal(sum);
   workers.forParts(rangeLoads(), [&](std::size_t k) {
     for (std::size_t s = layout_.ranges[k].begin; s < layout_.ranges[k].end; ++s) {
       const double a = sum[0][s], b = sum[1][s], c = sum[2][s], d = sum[3][s], e = sum[4][s], f = sum[5][s];
@@ -144,50 +138,8 @@ void BlockSystem::invertDiagonal(Workers& workers) {
   });
 }
 
-void BlockSystem::setCouplings(std::vector<Coupling> couplings) {
-  couplings_ = std::move(couplings);
-  flatCouplings_.clear();
-  flatTerms_.clear();
-  coupledSlot_.clear();
-  coupledAt_.assign(layout_.slots, kNoNode);
-  for (const Coupling& c : couplings_) {
-    flatCouplings_.push_back(
-        {Float4{static_cast<float>(c.normal.x), static_cast<float>(c.normal.y), static_cast<float>(c.normal.z), 0},
-         static_cast<float>(c.across), static_cast<float>(c.along - c.across),
-         static_cast<std::uint32_t>(c.terms.size())});
-    for (const TieMap::Term& term : c.terms) {
-      const std::uint32_t slot = slotOf_[term.unknown];
-      if (coupledAt_[slot] == kNoNode) {
-        coupledAt_[slot] = static_cast<std::uint32_t>(coupledSlot_.size());
-        coupledSlot_.push_back(slot);
-      }
-      flatTerms_.push_back({coupledAt_[slot], static_cast<float>(term.weight)});
-    }
-  }
-  coupledP_.resize(coupledSlot_.size());
-}
-
-double BlockSystem::addCouplings(double product) {
-  const auto dot = [](Float4 a, Float4 b) {
-    const Float4 both = a * b;
-    return both[0] + both[1] + both[2];
-  };
-  for (std::size_t k = 0; k < coupledSlot_.size(); ++k)
-    coupledP_[k] = Float4{p_[0][coupledSlot_[k]], p_[1][coupledSlot_[k]], p_[2][coupledSlot_[k]], 0};
-  coupledQ_.assign(coupledSlot_.size(), Float4{});
-  const FlatTerm* terms = flatTerms_.data();
-  for (const FlatCoupling& c : flatCouplings_) {  // in order
-    const std::span<const FlatTerm> own(terms, c.terms);
-    terms += c.terms;
-    Float4 move{};
-    for (const FlatTerm& term : own) move += coupledP_[term.coupled] * term.weight;
-    const Float4 force = move * c.across + c.normal * (c.along * dot(move, c.normal));
-    product += dot(force, move);
-    for (const FlatTerm& term : own) coupledQ_[term.coupled] += force * term.weight;
-  }
-  for (std::size_t k = 0; k < coupledSlot_.size(); ++k)
-    for (std::size_t axis = 0; axis < 3; ++axis) q_[axis][coupledSlot_[k]] += coupledQ_[k][axis];
-  return product;
+void BlockSystem::setCouplings(std::span<const Coupling> couplings) {
+  couplings_.set(couplings, slotOf_, layout_.slots);
 }
 
 double BlockSystem::multiply(Workers& workers) {
@@ -203,7 +155,7 @@ double BlockSystem::multiply(Workers& workers) {
     sums_[k + 1] = dotOf(range, p_, q_);
   });
   double product = std::accumulate(sums_.begin() + 1, sums_.end(), 0.0);
-  product = addCouplings(product);
+  product += couplings_.addProduct(p_, q_);
   for (const DependentSlot& dependent : dependents_)
     for (auto& axis : q_) axis[dependent.independent] += dependent.weight * axis[dependent.slot];
   return product;
@@ -212,7 +164,7 @@ double BlockSystem::multiply(Workers& workers) {
 // The matrix changes little from step to step. It is assembled anew when it is old or costs too many iterations.
 bool BlockSystem::coarseMatrixReady(Workers& workers) {
   if (unknowns() < kLeastForCoarse) return false;
-  const bool dear = age_ > 2 && iterations_ > kMostGrowth * iterationsWhenNew_;
+  const bool dear = age_ >= kNewSolves && iterations_ > kMostGrowth * iterationsWhenNew_;
   if (coarse_.ready() && age_ < kMostSolves && !dear) return true;
   age_ = 0;
   return coarse_.assemble(stepMatrix(), workers);
@@ -305,7 +257,8 @@ int BlockSystem::solve(std::span<const Vec3> force, const StoppingRule& rule, co
     ++iteration;
   }
   iterations_ = iteration;
-  if (age_++ == 0) iterationsWhenNew_ = std::max(iteration, kFewIterations);
+  if (age_++ == 0) iterationsWhenNew_ = kFewIterations;
+  if (age_ <= kNewSolves) iterationsWhenNew_ = std::max(iteration, iterationsWhenNew_);
   workers.forBlocks(count, kUnknownBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
       move[k] = Vec3{d_[0][slotOf_[k]], d_[1][slotOf_[k]], d_[2][slotOf_[k]]} * largest;

@@ -18,13 +18,6 @@
 
 namespace karinui {
 
-// The stiffness of a contact: `along` n n^T + `across` (I - n n^T) on the weighted sum of its unknowns.
-struct Coupling {
-  std::vector<TieMap::Term> terms;
-  Vec3 normal;
-  double along = 0, across = 0;  // N/m
-};
-
 class BlockSystem {
  public:
   // What stays as long as the cloth does. `pairs`: blocks that are new each step; `weights`: constant ones.
@@ -35,7 +28,7 @@ class BlockSystem {
   GridStiffness& gridStiffness() { return stiffness_; }             // to be filled before `gather`
   void assemble(std::span<const Block3> blocks, Workers& workers);  // starts a new system; a block per pair
   void addDiagonal(std::uint32_t unknown, const Block3& block);     // symmetric
-  void setCouplings(std::vector<Coupling> couplings);
+  void setCouplings(std::span<const Coupling> couplings);
 
   struct StoppingRule {
     int least = 40, most = 400;  // iterations; with a coarse space a quarter of the least is enough
@@ -50,7 +43,7 @@ class BlockSystem {
   std::size_t unknowns() const { return slotOf_.size(); }
   std::uint32_t slotOf(std::uint32_t unknown) const { return slotOf_[unknown]; }
   CoarseSpace& coarseSpace() { return coarse_; }  // for tests
-  StepMatrix stepMatrix() const { return {stiffness_, bending_, diagonal_, sparse_}; }
+  StepMatrix stepMatrix() const { return {stiffness_, bending_, diagonal_, sparse_, couplings_}; }
 
  private:
   void invertDiagonal(Workers& workers);
@@ -58,7 +51,6 @@ class BlockSystem {
   std::span<const double> rangeLoads() const { return std::span(load_).subspan(1); }
   // The passes of an iteration, each over the ranges of the layout.
   double multiply(Workers& workers);                                       // q = A p, returns p . q
-  double addCouplings(double product);                                     // to q; adds theirs to p . q
   void updateResidual(float alpha, bool coarse, Workers& workers);         // r -= alpha q, and its restriction
   double applyPreconditioner(float alpha, bool coarse, Workers& workers);  // d += alpha p, z = M r; returns r . z
   void updateDirection(float beta, bool coarse, Workers& workers);         // p = z + beta p
@@ -72,23 +64,7 @@ class BlockSystem {
   std::vector<std::uint32_t> slotOf_;                     // slot of each unknown
   std::vector<std::uint8_t> free_;                        // per slot: whether it is one
   std::vector<DependentSlot> dependents_;                 // sorted by slot, then by independent
-  std::vector<Coupling> couplings_;
-  // The same in float, as every iteration reads them: one after the other, with so many terms each. Their slots are
-  // numbered anew, so that p and q of what is coupled lie together.
-  using Float4 = float __attribute__((vector_size(16)));
-  struct FlatCoupling {
-    Float4 normal;
-    float across, along;  // along: beyond `across`
-    std::uint32_t terms;
-  };
-  struct FlatTerm {
-    std::uint32_t coupled;
-    float weight;
-  };
-  std::vector<FlatCoupling> flatCouplings_;
-  std::vector<FlatTerm> flatTerms_;
-  std::vector<std::uint32_t> coupledSlot_, coupledAt_;  // slot of each; its number, of each slot that has one
-  std::vector<Float4> coupledP_, coupledQ_;
+  Couplings couplings_;
   std::vector<double> load_;  // work before each range, and before all of them the coarse solve
   std::vector<double> sums_;  // of the coarse solve and the ranges
   DiagonalBlocks diagonal_, inverse_;

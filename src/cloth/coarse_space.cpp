@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "karinui/base/sort_once.h"
 #include "karinui/base/wide.h"
@@ -14,6 +15,9 @@ constexpr double kMostCells = 36;  // so that a square has no more coarse cells 
 // Sum of squared weights: a coarse node that moves less is left out. Next to it P no longer moves cloth as one, and
 // many splines reach over a curved edge by their tails, so only what is next to nothing.
 constexpr double kLeastSupport = 0.001;
+// Entries of A_c for each slot: with more its solve takes longer than what knowing of contacts saves. Garments of two
+// and three layers have 15 to 35.
+constexpr std::size_t kMostStored = 100;
 // Of the diagonal of A_c, added to it until it is positive: coarse nodes with few nodes left may depend on each other.
 constexpr double kShifts[] = {0, 1e-7, 1e-5, 1e-3};
 
@@ -124,45 +128,22 @@ void CoarseSpace::setTies(std::span<const std::uint32_t> independents, std::span
   numbered_ = ready_ = false;
 }
 
-void CoarseSpace::numberNodes() {
+void CoarseSpace::findSupported() {
   std::vector<double> support(nodes_, 0);
   for (std::size_t slot = 0; slot < free_.size(); ++slot)
     if (free_[slot] > 0)
       for (const CoarseWeight& entry : stencils_[slot]) support[entry.node] += double{entry.weight} * entry.weight;
   numberOf_.assign(nodes_, kNoNode);
-  nodeOf_.clear();
+  supported_.clear();
   for (std::uint32_t node = 0; node < nodes_; ++node)
     if (support[node] > kLeastSupport) {
-      numberOf_[node] = static_cast<std::uint32_t>(nodeOf_.size());
-      nodeOf_.push_back(node);
+      numberOf_[node] = static_cast<std::uint32_t>(supported_.size());
+      supported_.push_back(node);
     }
-  findCouplings();
-  // Renumbered for a narrow envelope.
-  const std::vector<std::uint32_t> near = reverseCuthillMcKee(around_);
-  std::vector<std::uint32_t> nodes(nodeOf_.size());
-  std::vector<std::vector<std::uint32_t>> around(nodeOf_.size());
-  for (std::uint32_t c = 0; c < nodeOf_.size(); ++c) {
-    nodes[near[c]] = nodeOf_[c];
-    numberOf_[nodeOf_[c]] = near[c];
-    for (const std::uint32_t other : around_[c]) around[near[c]].push_back(near[other]);
-    std::sort(around[near[c]].begin(), around[near[c]].end());
-  }
-  nodeOf_ = std::move(nodes);
-  around_ = std::move(around);
-  findRows();
-  std::vector<std::uint32_t> first;
-  for (std::uint32_t c = 0; c < nodeOf_.size(); ++c)
-    for (int axis = 0; axis < 3; ++axis) first.push_back(3 * around_[c].front());
-  matrix_ = EnvelopeCholesky(std::move(first));
-  found_.assign(3 * nodeOf_.size(), 0);
-  numbered_ = true;
-}
-
-// Two coarse nodes are coupled where a face of the cloth depends on both.
-void CoarseSpace::findCouplings() {
+  // Two coarse nodes are coupled where a face of the cloth depends on both.
   std::vector<std::vector<std::uint32_t>> independents(layout_.slots);
   for (const DependentSlot& dependent : dependents_) independents[dependent.slot].push_back(dependent.independent);
-  around_.assign(nodeOf_.size(), {});
+  overFaces_.assign(supported_.size(), {});
   std::vector<std::uint32_t> coupled, last;
   const auto addCoarseNodes = [&](std::uint32_t slot) {
     if (free_[slot] == 0) return;
@@ -180,11 +161,69 @@ void CoarseSpace::findCouplings() {
       }
       sortOnce(coupled);
       if (coupled == last) continue;
-      for (const std::uint32_t a : coupled) around_[a].insert(around_[a].end(), coupled.begin(), coupled.end());
+      for (const std::uint32_t a : coupled) overFaces_[a].insert(overFaces_[a].end(), coupled.begin(), coupled.end());
       last = coupled;
     }
   }
-  for (auto& list : around_) sortOnce(list);
+  for (auto& list : overFaces_) sortOnce(list);
+}
+
+// Slots of one coarse cell move with the same coarse nodes, so a cell is asked about by one of its slots.
+void CoarseSpace::addContacts(const Couplings& couplings, Neighbours& around) const {
+  std::vector<std::uint32_t> slotOfCell(nodes_, kNoNode);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> cells;
+  couplings.forEach(0, couplings.size(), [&](std::span<const Couplings::Term> terms, const Block3&) {
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const std::uint32_t cell = stencils_[terms[i].slot].front().node;
+      slotOfCell[cell] = terms[i].slot;
+      for (std::size_t j = 0; j < i; ++j)
+        if (const std::uint32_t other = stencils_[terms[j].slot].front().node; other != cell)
+          cells.emplace_back(std::min(cell, other), std::max(cell, other));
+    }
+  });
+  sortOnce(cells);
+  const auto placesOf = [&](std::uint32_t cell) {
+    std::vector<std::uint32_t> places;
+    for (const CoarseWeight& entry : stencils_[slotOfCell[cell]])
+      if (numberOf_[entry.node] != kNoNode) places.push_back(numberOf_[entry.node]);
+    return places;
+  };
+  for (const auto& [cell, other] : cells) {
+    const std::vector<std::uint32_t> here = placesOf(cell), there = placesOf(other);
+    for (const std::uint32_t a : here) around[a].insert(around[a].end(), there.begin(), there.end());
+    for (const std::uint32_t b : there) around[b].insert(around[b].end(), here.begin(), here.end());
+  }
+  for (auto& list : around) sortOnce(list);
+}
+
+std::size_t CoarseSpace::renumber(const Neighbours& around) {
+  const std::vector<std::uint32_t> numbers = reverseCuthillMcKee(around);
+  nodeOf_.resize(supported_.size());
+  std::vector<std::uint32_t> first(3 * supported_.size());
+  std::size_t stored = 0;
+  for (std::uint32_t place = 0; place < supported_.size(); ++place) {
+    const std::uint32_t number = numbers[place];
+    nodeOf_[number] = supported_[place];
+    numberOf_[supported_[place]] = number;
+    std::uint32_t least = number;
+    for (const std::uint32_t other : around[place]) least = std::min(least, numbers[other]);
+    for (std::uint32_t axis = 0; axis < 3; ++axis) first[3 * number + axis] = 3 * least;
+    stored += 9 * std::size_t{number - least} + 6;
+  }
+  matrix_ = EnvelopeCholesky(std::move(first));
+  found_.assign(3 * nodeOf_.size(), 0);
+  findRows();
+  return stored;
+}
+
+void CoarseSpace::number(const Couplings& couplings) {
+  if (!numbered_) findSupported();
+  for (std::uint32_t place = 0; place < supported_.size(); ++place) numberOf_[supported_[place]] = place;
+  coupled_ = couplings.size() > 0;
+  Neighbours around = overFaces_;
+  if (coupled_) addContacts(couplings, around);
+  if (renumber(around) > kMostStored * layout_.slots && std::exchange(coupled_, false)) renumber(overFaces_);
+  numbered_ = true;
 }
 
 void CoarseSpace::findRows() {
@@ -208,9 +247,9 @@ void CoarseSpace::findRows() {
 }
 
 bool CoarseSpace::assemble(const StepMatrix& step, Workers& workers) {
-  if (!numbered_) numberNodes();
+  if (!numbered_ || coupled_ || step.couplings.size() > 0) number(step.couplings);
   matrix_.clear();
-  galerkin_.assemble({layout_, step, interpolation_, numberOf_}, grids_, nodeOf_.size(), matrix_, workers);
+  galerkin_.assemble({layout_, step, interpolation_, numberOf_, coupled_}, grids_, nodeOf_.size(), matrix_, workers);
   ready_ =
       std::any_of(std::begin(kShifts), std::end(kShifts), [&](double shift) { return matrix_.factor(workers, shift); });
   return ready_;

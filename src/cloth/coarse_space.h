@@ -45,10 +45,13 @@ class CoarseSpace {
   void addGrid(const ClothPiece& piece, const GridBlock* block);
   Restriction restrictionOf(const SlotRange& range) const;
   std::pair<std::uint32_t, std::uint32_t> coarseRows(const SlotRange& range) const;  // the first, and how many
-  void sumRestrictions();  // value_ = the sum of the restrictions
-  void numberNodes();      // those that move something
-  void findCouplings();    // which of them A_c couples
-  void findRows();         // of P
+  using Neighbours = std::vector<std::vector<std::uint32_t>>;  // of each number those that A_c couples it to
+  void sumRestrictions();                                      // value_ = the sum of the restrictions
+  void findSupported();                                        // and which of them faces couple
+  void number(const Couplings& couplings);                     // for a narrow envelope
+  std::size_t renumber(const Neighbours& around);              // how much A_c then stores
+  void addContacts(const Couplings& couplings, Neighbours& around) const;
+  void findRows();  // of P
 
   const Cloth& cloth_;
   const GridLayout& layout_;
@@ -58,8 +61,9 @@ class CoarseSpace {
   std::vector<CoarseStencil> stencils_;  // per slot
   std::vector<float> free_;              // per slot: 1 for an unknown's own, else 0
   std::vector<DependentSlot> dependents_;
-  std::vector<std::uint32_t> numberOf_, nodeOf_;    // of coarse nodes that move something, and back
-  std::vector<std::vector<std::uint32_t>> around_;  // numbers that a number is coupled to
+  std::vector<std::uint32_t> supported_;          // coarse nodes that move something
+  Neighbours overFaces_;                          // by their places in it
+  std::vector<std::uint32_t> numberOf_, nodeOf_;  // of coarse nodes that move something, and back
   Interpolation interpolation_;
   std::array<std::vector<float>, 3> value_;  // per coarse node: P^T r, then c
   std::vector<Restriction> restrictions_;    // per range of the layout
@@ -67,6 +71,7 @@ class CoarseSpace {
   EnvelopeCholesky matrix_;
   std::vector<float> found_;
   bool numbered_ = false, ready_ = false;
+  bool coupled_ = false;  // whether the numbers, and what is stored, are those of cloth in contact
 };
 
 }  // namespace karinui

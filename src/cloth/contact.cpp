@@ -41,7 +41,7 @@ void ContactHessian::finish() {
       addIdentityAndOuter(block, share * at.across, share * (at.along - at.across), at.normal);
       return block;
     });
-  system_.setCouplings(std::move(couplings_));
+  system_.setCouplings(couplings_);
 }
 
 }  // namespace karinui

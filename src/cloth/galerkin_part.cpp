@@ -341,4 +341,23 @@ void GalerkinPart::addRest(const SlotRange& range) {
   }
 }
 
+void GalerkinPart::addCouplings(std::size_t begin, std::size_t end) {
+  std::vector<CoarseWeight>& sum = scratch_.sum;
+  step_.couplings.forEach(begin, end, [&](std::span<const Couplings::Term> terms, const Block3& block) {
+    sum.clear();
+    for (const Couplings::Term& term : terms)
+      for (const CoarseWeight& entry : interpolation_.of(term.slot)) {
+        const float weight = term.weight * entry.weight;
+        const auto of = std::find_if(sum.begin(), sum.end(), [&](const auto& its) { return its.node == entry.node; });
+        if (of == sum.end())
+          sum.push_back({entry.node, weight});
+        else
+          of->weight += weight;
+      }
+    for (const CoarseWeight& a : sum)
+      for (const CoarseWeight& b : sum)
+        if (a.node >= b.node) sink_.add(a.node, b.node, a.weight * b.weight, block);
+  });
+}
+
 }  // namespace karinui

@@ -11,17 +11,19 @@
 #include <vector>
 
 #include "cloth/coarse_grid.h"
+#include "cloth/couplings.h"
 #include "cloth/envelope_cholesky.h"
 #include "cloth/sparse_rows.h"
 
 namespace karinui {
 
-// The step's matrix, without contact. The arrays are over slots.
+// The step's matrix. The arrays are over slots.
 struct StepMatrix {
   const GridStiffness& stiffness;
   const GridBending& bending;
   const DiagonalBlocks& diagonal;  // without that of stiffness and bending
   const SparseRows& sparse;
+  const Couplings& couplings;
 };
 
 // P: what each slot moves with, as numbers of rows of A_c.
@@ -41,6 +43,7 @@ struct GalerkinSource {
   const StepMatrix& step;
   const Interpolation& interpolation;
   std::span<const std::uint32_t> numberOf;
+  bool coupled = true;  // whether A_c stores what couplings couple
 };
 
 // `weight` times `block`, at three rows and columns of A_c; the column is not past the row.
@@ -71,6 +74,7 @@ class GalerkinPart {
   // Fine rows that lie in one coarse cell of a grid that has a block: all but theirs in `step.sparse`.
   void addCell(const CoarseGrid& grid, std::uint32_t firstRow, std::uint32_t rows);
   void addRest(const SlotRange& range);  // those rows, and what lies in no block
+  void addCouplings(std::size_t begin, std::size_t end);
 
  private:
   // Coarse lines that the terms on a fine line depend on: those of its cell, of the one before and of the one after.
@@ -119,6 +123,7 @@ class GalerkinPart {
     std::vector<Block3> product;  // of a row with P, per number; none between two rows
     std::vector<std::uint8_t> has;
     std::vector<std::uint32_t> numbers;  // that have some
+    std::vector<CoarseWeight> sum;       // a coupling's terms
   };
   static Scratch& scratch();
 

@@ -194,6 +194,39 @@ TEST(System, BendsFineClothOverLongWavesInFewIterations) {
   EXPECT_NEAR(energy, whole, 1e-4 * whole);
 }
 
+// Two layers that press on each other move as one over long waves. A coarse matrix that took each for free would answer
+// a force on one of them by drawing it far into the other.
+TEST(System, MovesLayersInContactAsOneInFewIterations) {
+  constexpr double kSide = 0.5;
+  const ClothLevel level =
+      levelOf(patternOf({rectangle(1, kSide, kSide), rectangle(2, kSide, kSide, {1, 0})}), 0.01, *preset("denim"));
+  Matrices of(level.cloth);
+  std::vector<Vec3> x;
+  for (const ClothPiece& piece : level.cloth.pieces)
+    for (Flat p : piece.lattice->nodes) x.push_back({p.u, p.v, 0});
+  of.gradient(x);
+  Block3 mass{};
+  mass[0] = mass[4] = mass[8] = 1e-3f;
+  for (std::uint32_t u = 0; u < of.system->unknowns(); ++u) of.system->addDiagonal(u, mass);
+  const NodeIndex second = level.cloth.pieces[1].firstNode;
+  std::vector<Coupling> couplings;
+  std::vector<Vec3> force(of.system->unknowns()), found;
+  for (NodeIndex node = 0; node < second; ++node) {
+    constexpr double kApart[] = {1, -1};
+    const NodeIndex nodes[] = {node, second + node};
+    couplings.push_back({termsOf(of.ties, nodes, kApart), {0, 0, 1}, 30, 1});
+    force[of.ties.terms(node)[0].unknown] = {0, 0, std::cos(6 * x[node].x / kSide) * std::cos(9 * x[node].y / kSide)};
+  }
+  of.system->setCouplings(couplings);
+  const int iterations = of.system->solve(force, {40, 4000, 0.001}, Token(), of.workers, found);
+  EXPECT_LT(iterations, 100);  // 79; 1,725 without the contacts in A_c
+  for (NodeIndex node = 0; node < second; ++node) {
+    const double one = found[of.ties.terms(node)[0].unknown].z,
+                 other = found[of.ties.terms(second + node)[0].unknown].z;
+    EXPECT_NEAR(one, other, 0.1 * std::fabs(one) + 0.05) << node;
+  }
+}
+
 // Assembled from terms, A_c does what interpolating, multiplying and restricting do one after the other: also where
 // pieces are sewn together, and beside nodes that are held. Every term has a stiffness of its own.
 TEST(CoarseSpace, MatrixIsTheProductBetweenInterpolationAndRestriction) {
@@ -224,6 +257,15 @@ TEST(CoarseSpace, MatrixIsTheProductBetweenInterpolationAndRestriction) {
   Block3 mass{};
   mass[0] = mass[4] = mass[8] = 0.1f;
   for (std::uint32_t u = 0; u < of.system->unknowns(); ++u) of.system->addDiagonal(u, mass);
+  std::vector<Coupling> couplings;  // of cloth that lies on other cloth, or is folded
+  for (int added = 0; added < 60; ++added) {
+    const auto node = [&] { return static_cast<NodeIndex>(random() % level.cloth.nodeCount); };
+    const NodeIndex nodes[] = {node(), node(), node(), node()};
+    constexpr double kWeights[] = {1, -0.5, -0.3, -0.2};
+    const Vec3 normal{between(-1, 1), between(-1, 1), between(-1, 1)};
+    couplings.push_back({termsOf(of.ties, nodes, kWeights), normalized(normal), 5, 1});
+  }
+  of.system->setCouplings(couplings);
   CoarseSpace& coarse = of.system->coarseSpace();
   ASSERT_TRUE(coarse.assemble(of.system->stepMatrix(), of.workers));
 
