@@ -12,6 +12,7 @@ namespace karinui {
 namespace {
 
 constexpr double kLeastZipped = 0.001;  // metres: a zip that is closed for less is open
+constexpr double kBeside = 0.002;       // metres: so near to the end of a seam a zip ends just there
 
 // The part of a run between two shares of its length, in the outlines' order.
 std::vector<EdgeSpan> partOf(const Pattern& pattern, const std::vector<EdgeSpan>& run, double from, double to) {
@@ -113,6 +114,29 @@ std::optional<Seam> zipSeam(const Pattern& pattern, const Fastening& own) {
   return seam;
 }
 
+namespace {
+
+// A seam keeps to its cloth when its edge is redrawn, a zip to its shares of the run: where both ended at one place,
+// they may lie a hair apart afterwards. Cloth that is laid with a corner at either place has a sliver there, which
+// tears.
+void endBesideSeams(Seam& zip, const Pattern& pattern) {
+  for (auto* side : {&zip.a, &zip.b})
+    for (EdgeSpan& own : *side) {
+      const double whole = length(pattern, {{own.piece, own.edge, 0, 1}});
+      const auto meet = [&](double& end, double other) {
+        if (std::fabs(end - other) * whole < kBeside) end = other;
+      };
+      for (const auto& [id, seam] : pattern.seams)
+        for (const auto* sewn : {&seam.a, &seam.b})
+          for (const EdgeSpan& beside : *sewn) {
+            if (beside.piece != own.piece || beside.edge != own.edge) continue;
+            meet(own.from, beside.to), meet(own.to, beside.from);
+          }
+    }
+}
+
+}  // namespace
+
 SeamId zipId(std::size_t number) { return {~std::uint64_t{0} - number}; }
 
 Pattern withZips(Pattern pattern, const Fastenings& fastenings) {
@@ -122,6 +146,7 @@ Pattern withZips(Pattern pattern, const Fastenings& fastenings) {
     auto seam = zipSeam(pattern, own);
     if (!seam) continue;
     seam->id = id, seam->name = name;
+    endBesideSeams(*seam, pattern);
     pattern.seams[id] = *std::move(seam);
   }
   return pattern;

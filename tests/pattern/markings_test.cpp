@@ -341,6 +341,32 @@ TEST(Fasteners, AZipIsASeamAsFarAsItIsClosed) {
   EXPECT_TRUE(led.empty());
 }
 
+// A seam is led along its edge when that is redrawn, a zip keeps its shares: 0.04 mm apart, they left a sliver between
+// two corners of the cloth, and it tore.
+TEST(Fasteners, AZipEndsJustWhereTheSeamBesideItEnds) {
+  Pattern pattern = test::patternOf(
+      {test::pieceOf(1, test::rectangle(0.3, 0.4), "one"), test::pieceOf(2, test::rectangle(0.3, 0.4), "two")});
+  Fastening own;
+  own.kind = FasteningKind::Zip;
+  own.a = {{{1}, "left", 0, 1}}, own.b = {{{2}, "right", 0, 1}};
+  own.at = {0, 0.5};
+  const auto wornBeside = [&](double off) {
+    Seam below;
+    below.id = {9};
+    below.a = {{{1}, "left", 0.5 - off, 1}}, below.b = {{{2}, "right", 0, 0.5 + off}};
+    pattern.seams[below.id] = below;
+    return withZips(pattern, {{"zip", own}}).seams.at(zipId(0));
+  };
+  for (const double off : {1e-4, -1e-4}) {
+    const Seam near = wornBeside(off);
+    EXPECT_EQ(near.a[0].to, 0.5 - off);
+    EXPECT_EQ(near.b[0].from, 0.5 + off);
+    EXPECT_EQ(near.a[0].from, 0);
+    EXPECT_EQ(near.b[0].to, 1);
+  }
+  EXPECT_NEAR(wornBeside(0.01).a[0].to, 0.5, 1e-12) << "4 mm are meant";
+}
+
 // What is said beside an edge stays on the piece, however small that is, and clear of what is written there.
 TEST(PaperNotes, HaveRoomOnTheirPiece) {
   const auto boxOf = [](const std::string& words, const LetteredPiece::Line& at) {
