@@ -19,6 +19,8 @@ Operation asRecorded(Operation operation) {
             if (*one == Choice::Auto) *one = Choice::No;
         if constexpr (std::is_same_v<decltype(op), TakeIn&>)
           if (op.follow == Choice::Auto) op.follow = Choice::No;
+        if constexpr (std::is_same_v<decltype(op), AddPleat&>)
+          if (op.symmetric == Choice::Auto) op.symmetric = Choice::No;
         if constexpr (std::is_same_v<decltype(op), MirrorPiece&>)
           if (op.rings == Choice::Auto) op.rings = Choice::No;
         if constexpr (std::is_same_v<decltype(op), DraftBlock&>)

@@ -342,6 +342,92 @@ Result<Document> pleatedTo(const Document& before, const Piece& piece, const Add
   return after;
 }
 
+// The same pleats on the other half of a symmetric piece; nothing where that has no such edge, or where they lie across
+// the middle and are their own image.
+std::optional<AddPleat> pleatsOnOtherHalf(const Piece& piece, const PaperSymmetry& symmetry, const AddPleat& op) {
+  const std::size_t own = *piece.outline.find(op.edge.edge);
+  const auto image = [&](double at) { return imageOf(piece.outline, symmetry, {own, at}); };
+  const auto from = image(op.edge.to), to = image(op.edge.from);  // the other half runs the other way round
+  if (!from || !to || from->edge != to->edge || !(from->at < to->at)) return std::nullopt;
+  AddPleat other = op;
+  other.edge = {op.edge.piece, piece.outline.edges[from->edge].name, from->at, to->at};
+  if (op.at) {
+    const auto at = image(*op.at);
+    if (!at || at->edge != from->edge) return std::nullopt;
+    other.at = at->at;
+  }
+  using Turned = AddPleat::Turned;
+  if (op.turned == Turned::Along) other.turned = Turned::Against;
+  if (op.turned == Turned::Against) other.turned = Turned::Along;
+  if (op.along) other.along = symmetry.imageOf(*op.along);
+  const auto same = [](double a, double b) { return std::fabs(a - b) < kAtEnd; };
+  const bool sameRun =
+      other.edge.edge == op.edge.edge && same(other.edge.from, op.edge.from) && same(other.edge.to, op.edge.to);
+  if (sameRun && (!op.at || same(*other.at, *op.at))) return std::nullopt;
+  return other;
+}
+
+// Whether they run across the middle, as those of a sash from side to side: what is one half's is the other's then.
+bool runAcross(const Piece& piece, const PaperSymmetry& symmetry, const AddPleat& op) {
+  const Curve& curve = piece.outline.edges[*piece.outline.find(op.edge.edge)].curve;
+  const Flat square = leftOf(symmetry.axis), along = normalized(*op.along);
+  const Ring ring = piece.outline.flattened(1e-4);
+  const double from = op.edge.from, to = op.edge.to, shares[] = {from, (from + to) / 2, to, op.at.value_or(from)};
+  return std::any_of(std::begin(shares), std::end(shares), [&](double share) {
+    const Flat start = curve.atFraction(share);
+    const double away = dot(start - symmetry.through, square), nearer = -dot(along, square);
+    const double reach = away / nearer;
+    return std::fabs(nearer) > 1e-9 && reach > kAtEnd && contains(ring, start + along * reach);
+  });
+}
+
+// On both halves, one after the other, and then folded together.
+Result<Document> pleatedTwice(const Document& before, const AddPleat& op, AddPleat other) {
+  const PieceId id = op.edge.piece.id;
+  PleatSeries all{before, {}};
+  auto made = pleated(before, *before.find(id), op);
+  if (!made) return made.error();
+  const EdgeMap map = made->edited.edges;
+  Pleating first(before, op, *made, all);
+  auto half = first.performed();
+  if (!half) return half;
+  all.seams = first.seams(), all.last = true, all.earlier.push_back(*std::move(made));
+  const auto now = [&](double at) { return placeNow(map, id, other.edge.edge, at); };
+  const auto from = now(other.edge.from), to = now(other.edge.to), at = now(other.at.value_or(other.edge.from));
+  if (!from || !to || !at || from->first != to->first || at->first != from->first)
+    return refused(say("The pleats of both halves would meet; write symmetric=no for one alone."));
+  other.edge.edge = from->first, other.edge.from = from->second, other.edge.to = to->second;
+  if (other.at) other.at = at->second;
+  const auto then = pleated(*half, *half->find(id), other);
+  if (!then) return then.error();
+  return Pleating(*half, other, *then, all).performed();
+}
+
+// Auto is decided. An edge across the middle has its pleats told place by place: it is taken as it is said.
+Done resolvePleatedHalves(const Document& before, AddPleat& op, Context& context) {
+  if (context.recorded && op.symmetric == Choice::Auto) op.symmetric = Choice::No;
+  if (op.symmetric == Choice::No) return {};
+  const Piece& piece = *before.find(op.edge.piece.id);
+  const bool plain = op.lines.empty() && !op.to;
+  if (op.symmetric == Choice::Yes && !plain)
+    return refused(
+        say("Pleats that are drawn, or that run out at another edge, are folded on one half; leave symmetric= away."));
+  const auto symmetry = symmetryOf(piece.outline);
+  const bool across = symmetry && symmetry->partner[*piece.outline.find(op.edge.edge)] ==
+                                      std::optional(*piece.outline.find(op.edge.edge));
+  const bool half = AllowancePlan(before.pattern, before.allowances).onFold(piece),
+             over = plain && symmetry && runAcross(piece, *symmetry, op);
+  if (op.symmetric == Choice::Yes && over)
+    return refused(say("The pleats of both halves would meet; write symmetric=no for one alone."));
+  if (op.symmetric == Choice::Auto && (!plain || across || half || over)) {
+    op.symmetric = Choice::No;
+    return {};
+  }
+  return resolveSymmetric(piece, op.symmetric, context, [&](const PaperSymmetry& of) {
+    return across || pleatsOnOtherHalf(piece, of, op).has_value();
+  });
+}
+
 Done resolveTo(const Document& before, AddPleat& op) {
   if (!op.to) {
     if (op.toAt)
@@ -394,11 +480,11 @@ Done resolve(const Document& before, AddPleat& op, Context& context) {
   const Piece& piece = *before.find(op.edge.piece.id);
   if (op.to) {
     if (op.along) return refused(say("Pleats that run out at another edge lead straight there; leave along= away."));
-    return {};
+    return resolvePleatedHalves(before, op, context);
   }
   if (!op.along) op.along = directionOf(piece, op.edge);
   if (!context.recorded && op.lines.empty() && leadsOut(piece, op)) op.along = Flat{} - *op.along;
-  return {};
+  return resolvePleatedHalves(before, op, context);
 }
 
 Result<Document> perform(const Document& before, const AddPleat& op, Context& context) {
@@ -408,6 +494,12 @@ Result<Document> perform(const Document& before, const AddPleat& op, Context& co
     if (made) tellCoarse(before, piece, op, context);
     return made;
   }
+  if (op.symmetric == Choice::Yes)
+    if (const auto other = pleatsOnOtherHalf(piece, *symmetryOf(piece.outline), op)) {
+      auto both = pleatedTwice(before, op, *other);
+      if (both) tellCoarse(before, piece, op, context);
+      return both;
+    }
   const auto made = pleated(before, piece, op);
   if (!made) return made.error();
   tellCoarse(before, piece, op, context);

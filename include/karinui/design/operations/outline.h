@@ -330,6 +330,7 @@ struct AddPleat {
   Length taper, taperLength;
   double hold = 0.9;
   std::string name;
+  Choice symmetric = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit(
@@ -367,6 +368,10 @@ struct AddPleat {
     visit("taper_length", self.taperLength, "how far from the edge that is reached; 0: at the other end", kOptional);
     visit("hold", self.hold, "how well they are pressed, 0.1 to 0.99; 0: not pressed", kOptional);
     visit("name", self.name, "the name of their edges and lines", kOptional);
+    visit("symmetric", self.symmetric,
+          "on both halves of a symmetric piece: auto, yes, no (auto: yes where the edge lies on one half, but no in a "
+          "record that does not have it)",
+          kOptional);
   }
   bool operator==(const AddPleat&) const = default;
 };
