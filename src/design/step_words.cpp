@@ -8,6 +8,7 @@
 #include "design/glossary/terms.h"
 #include "design/text/value_text.h"
 #include "karinui/base/number.h"
+#include "karinui/pattern/darts.h"
 
 namespace karinui {
 
@@ -209,6 +210,18 @@ bool speaksForItself(const FieldHelp& field) {
          field.kind.ends_with("x,y,z") || field.kind.ends_with("u,v") || field.kind.ends_with("measurement=length");
 }
 
+// The leg by whose name a dart is called; nothing where the seam closes no dart, or its legs bear names of their own.
+const EdgeSpan* dartCalledBy(const Document& document, const Seam& seam) {
+  if (seam.a.size() != 1 || seam.b.size() != 1 || seam.a[0].piece != seam.b[0].piece) return nullptr;
+  const auto dart = dartWithLeg(document.pattern, seam.a[0].piece, seam.a[0].edge);
+  if (!dart || dart->seam != seam.id || isNumbered(seam.a[0].edge)) return nullptr;
+  const auto stem = [](const std::string& name) {
+    const std::size_t end = name.find_last_not_of("0123456789");
+    return name.substr(0, end != std::string::npos && name[end] == '_' ? end : name.size());
+  };
+  return stem(seam.a[0].edge) == stem(seam.b[0].edge) ? &seam.a[0] : nullptr;
+}
+
 }  // namespace
 
 Message pieceSaid(const Document& document, const PieceRef& piece) {
@@ -231,6 +244,7 @@ Message edgeSaid(const Document& document, const EdgeRef& edge) {
 
 Message seamSaid(const Document& document, const Seam& seam) {
   if (!seam.name.empty()) return nameSaid(seam.name);
+  if (const EdgeSpan* leg = dartCalledBy(document, seam)) return edgeSaid(document, {PieceRef(leg->piece), leg->edge});
   const auto side = [&](const std::vector<EdgeSpan>& spans) {
     std::vector<EdgeRef> all;
     for (const EdgeSpan& s : spans) all.push_back({PieceRef(s.piece), s.edge, s.from, s.to});

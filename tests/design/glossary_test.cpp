@@ -213,6 +213,20 @@ TEST(Glossary, EdgesWithANumberAreCalledByHowTheyAreCutAndWhereTheyLie) {
   EXPECT_EQ(said(identifierSaid(document, "bust_girth")), "Bust girth");
 }
 
+// A dart is called by its own name, as on paper; its two legs were said one after the other, and looked alike.
+TEST(Glossary, ASeamThatClosesADartIsCalledAsTheDart) {
+  Workroom room;
+  auto file = DocumentFile::inMemory();
+  ASSERT_TRUE(room.play(file,
+                        "rectangle name=skirt_front width=40cm height=50cm\n"
+                        "dart edge=skirt_front.top at=0.3 width=2cm tip=-8cm,38cm symmetric=no\n"));
+  const Document& document = file.document();
+  ASSERT_EQ(document.pattern.seams.size(), 1u);
+  const Seam& dart = document.pattern.seams.begin()->second;
+  EXPECT_EQ(text(seamSaid(document, dart)), "dart of front skirt");
+  EXPECT_EQ(text(seamSaid(document, dart), Language::Japanese), "前スカートのダーツ");
+}
+
 // Every piece, edge, line, seam, mark and fabric of the garments in `examples` and of the blocks.
 std::set<std::string> namesOfDraftsAndSamples() {
   namespace fs = std::filesystem;
