@@ -123,7 +123,14 @@ Message Session::hint() const {
   if (impl_->hot) return info(*impl_->hot).hint;
   if (impl_->trial.active())
     return say("Let go and every step is played again on this figure; Esc leaves it as it was.");
-  return impl_->gesture->hint();
+  const Message usual = impl_->gesture->hint();
+  const Document& document = snapshot().document;
+  if (usual.pattern != info(Command::Select).hint.pattern) return usual;
+  if (document.pattern.pieces.empty() && snapshot().body)
+    return say("Draw a piece on the body, or take a ready block.");
+  if (const auto& last = document.drape.last; last && !last->settled && document.drape.dirty.empty())
+    return say("The cloth did not come to rest: settle it again, or undo the step that led to it.");
+  return usual;
 }
 
 std::optional<SceneMenu> Session::menu() const {

@@ -227,26 +227,31 @@ void Session::Impl::amend(std::size_t which, Operation operation, std::function<
   dropGesture();
   dropSettling();
   const std::uint64_t old = head();
+  const bool figure = std::holds_alternative<SetBody>(operation), last = which == state.steps.size();
   past = true;
   ++changes.garment;
-  tasks.add(TaskQueue::Kind::Settle,
-            [this, which, old, operation = std::move(operation), then = std::move(then)](const Token& token) mutable {
-              const Done done = documentWorker->amend(which, std::move(operation), token);
-              const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
-              return [this, done, old, which, fresh, then = std::move(then)] {
-                past = false;
-                if (done) {
-                  take(*fresh);
-                  amended.push_back({old, head()});
-                  tell(Notice::Kind::Said, say("Step {0} was changed, and all that followed done again.", which));
-                } else {
-                  tellError(done.error());
-                  preview.reset();
-                  ++changes.garment;
-                }
-                if (then) then(done);
-              };
-            });
+  tasks.add(TaskQueue::Kind::Settle, [this, which, old, figure, last, operation = std::move(operation),
+                                      then = std::move(then)](const Token& token) mutable {
+    const Done done = documentWorker->amend(which, std::move(operation), token);
+    const auto fresh = std::make_shared<DocumentState>(documentWorker->state(token));
+    return [this, done, old, which, figure, last, fresh, then = std::move(then)] {
+      past = false;
+      if (done) {
+        take(*fresh);
+        amended.push_back({old, head()});
+        if (!last)
+          tell(Notice::Kind::Said, figure ? say("The garment was made again for the changed figure.")
+                                          : say("Step {0} was changed, and all that followed done again.", which));
+        else if (!figure)  // a figure that wears nothing yet shows by itself that it was changed
+          tell(Notice::Kind::Said, say("Step {0} was changed.", which));
+      } else {
+        tellError(done.error());
+        preview.reset();
+        ++changes.garment;
+      }
+      if (then) then(done);
+    };
+  });
 }
 
 void Session::snapshotAfter(std::uint64_t seq, std::function<void(SnapshotPtr)> then) {

@@ -298,6 +298,49 @@ TEST(Session, AStoppedDrapeStaysWhereItIsAndIsUndone) {
   }
 }
 
+// With nothing in hand the line at the foot says what can be done, and goes on saying that the cloth is not at rest:
+// the sentence about it has been read and is gone.
+TEST(Session, TheHintSaysWhereToBeginAndThatClothDidNotComeToRest) {
+  bool settles = false;
+  SessionOptions options;
+  options.drape = [&](const Document& d, const DrapePieces& drape, Context&) -> Result<DrapeOutcome> {
+    Result<DrapeOutcome> outcome = fallABit(d, drape.live);
+    outcome->report.settled = settles;
+    return outcome;
+  };
+  Session session(std::move(options));
+  session.perform(op("body size=eu38"));
+  session.finish();
+  EXPECT_THAT(text(session.hint()), testing::HasSubstr("take a ready block"));
+  giveTwo(session);
+  EXPECT_EQ(text(session.hint()), text(info(Command::Select).hint));
+  session.perform(op("drape"));
+  session.finish();
+  EXPECT_THAT(text(session.hint()), testing::HasSubstr("did not come to rest"));
+  settles = true;
+  session.perform(op("drape"));
+  session.finish();
+  EXPECT_EQ(text(session.hint()), text(info(Command::Select).hint));
+}
+
+// A measure typed before anything is worn is no news; afterwards it is told in words that need no list of steps.
+TEST(Session, AChangedFigureIsToldByWhatWasMadeForIt) {
+  Session session;
+  session.perform(op("body size=eu38"));
+  session.finish();
+  const auto said = [&](const char* figure) {
+    (void)session.takeNotices();
+    session.amend(1, op(figure));
+    session.finish();
+    std::vector<std::string> all;
+    for (const Notice& notice : session.takeNotices()) all.push_back(text(notice.what));
+    return all;
+  };
+  EXPECT_THAT(said("body size=eu40"), testing::IsEmpty());
+  giveTwo(session);
+  EXPECT_THAT(said("body size=eu38"), testing::ElementsAre("The garment was made again for the changed figure."));
+}
+
 TEST(Session, AStepAfterAStopFindsTheClothWhereItStopped) {
   Stepping solver;
   Session session(solver.options());
