@@ -25,6 +25,8 @@ namespace karinui::studio {
 
 namespace {
 
+constexpr double kPlaced = 0.005;  // metres: a pocket's place is shown, and can be typed finer
+
 constexpr double kSkirtDeep = 0.5;  // metres, first written in the box
 constexpr double kDartDeep = 0.1;   // metres, as the board "Garment" offers it
 constexpr double kShifted = 0.02;   // metres: that a dart is moved along its edge, as first offered
@@ -182,7 +184,8 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
   patch_.reset();
   if (wrapped && hit.piece && hit.piece != wrapped && !hit.edge && isLoose(session_->snapshot().document, wrapped)) {
     patch_ = patchOf(session_->snapshot().document, wrapped);
-    patch_->on = hit.piece, patch_->at = hit.paper;
+    const auto round = [](double metres) { return std::round(metres / kPlaced) * kPlaced; };
+    patch_->on = hit.piece, patch_->at = {round(hit.paper.u), round(hit.paper.v)};
   }
   // Several chosen pieces stay chosen, for what is to be done with all of them.
   const auto edges = session_->selection().edges();

@@ -201,10 +201,11 @@ void FitPanel::fillReport() {
     table = "<table>" + table + "</table>";
     if (session_.snapshot().document.drape.dirty.empty()) {
       QString fastened;
+      const auto length = [](double metres) { return lengthText(metres, 2).toStdString(); };
       for (const FasteningPull& pull : fasteningsOf(session_.snapshot()))
         fastened += "<tr><td>" + inWords(fastenerSaid(pull)).toHtmlEscaped() + apart + "</td><td>" +
-                    (pull.holds() ? QString() : QString::fromUtf8("⚠ ")) + inWords(pulledSaid(pull)).toHtmlEscaped() +
-                    "</td></tr>";
+                    (pull.holds() ? QString() : QString::fromUtf8("⚠ ")) +
+                    inWords(pulledSaid(pull, length)).toHtmlEscaped() + "</td></tr>";
       if (!fastened.isEmpty())
         table += "<p><b>" + inWords(say("Fastenings")) + "</b></p><table>" + fastened + "</table>";
     }

@@ -173,6 +173,7 @@ void Notices::showAll(QWidget* parent) const {
   auto* column = new QVBoxLayout(dialog);
   auto* list = new QListWidget;
   list->setWordWrap(true);
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->setAccessibleName(dialog->windowTitle());
   for (auto words = said_.rbegin(); words != said_.rend(); ++words) list->addItem(*words);
   column->addWidget(list);

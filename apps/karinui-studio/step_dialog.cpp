@@ -39,6 +39,9 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"attach", "edge to turn"},
     {"fasten", "kind a b count spacing first last size length stand closed closed_length"},
     {"block", "kind ease length fabric"},
+    {"pleat", "edge kind depth count turned stitch hold"},
+    {"elastic", "edges ratio length rows spacing"},
+    {"strap", "name from to width length"},
     {kDrawnPleat, "lines stitch hold"},
     {kPleatTo, "edge to at to_at depth turned stitch hold"},
     {kZipThere, "closed_length"},
@@ -234,10 +237,9 @@ void StepDialog::standAside() {
   constexpr int kBelow = 60;  // pixels: the menus and the toolbar
   const QWidget* over = parentWidget() ? parentWidget()->window() : nullptr;
   if (!over) return;
-  const QRect all = over->geometry(), there = screen()->availableGeometry();
-  const QSize mine = frameGeometry().size();
-  move(std::clamp(all.right() - mine.width(), there.left(), std::max(there.left(), there.right() - mine.width())),
-       std::clamp(all.top() + kBelow, there.top(), std::max(there.top(), there.bottom() - mine.height())));
+  const QRect all = over->geometry();
+  move(all.right() - frameGeometry().width(), all.top() + kBelow);
+  keepOnScreen();
 }
 
 void StepDialog::takeRoom() {
@@ -246,6 +248,14 @@ void StepDialog::takeRoom() {
   QSize wish = sizeHint().expandedTo(isVisible() ? size() : QSize());
   wish.setHeight(std::max(wish.height(), layout()->totalHeightForWidth(wish.width())));  // sentences are wrapped
   resize(wish.width(), std::min(wish.height(), screen()->availableGeometry().height() - kFrame));
+  if (isVisible()) keepOnScreen();
+}
+
+// It stands at the window's right: what is wider once all is shown would go out of the screen with its buttons.
+void StepDialog::keepOnScreen() {
+  const QRect there = screen()->availableGeometry(), mine = frameGeometry();
+  move(std::clamp(mine.left(), there.left(), std::max(there.left(), there.right() - mine.width())),
+       std::clamp(mine.top(), there.top(), std::max(there.top(), there.bottom() - mine.height())));
 }
 
 void StepDialog::fill(const Operation& operation) {
@@ -266,6 +276,8 @@ void StepDialog::fill(const Operation& operation) {
     label->setBuddy(box);
     (isFirst(asks, field.name) ? main_ : more_)->addRow(label, box);
     if (auto* line = qobject_cast<QLineEdit*>(box)) {
+      if (help.name == DraftBlock::kName && field.kind == "length")
+        line->setPlaceholderText(inWords(say("by the block's own rule")));
       connect(line, &QLineEdit::textChanged, this, [this] { show(wished()); });
       const bool place = field.kind == "number" && field.name.ends_with("at");
       const bool number = field.kind == "length" || field.kind == "u,v" || field.kind == "number";

@@ -32,6 +32,7 @@ class StepDialog : public QDialog {
   Result<Operation> wished() const;
   void show(const Result<Operation>& wish);
   void takeRoom();  // all it asks for, where the screen has that
+  void keepOnScreen();
   void standAside();
   void perform();
   Session& session_;

@@ -97,11 +97,14 @@ Message fastenerSaid(const FasteningPull& pull) {
 }
 
 Message pulledSaid(const FasteningPull& pull) {
-  const auto millimetres = [](double metres) { return fixed(metres * 1000, 1) + " mm"; };
+  return pulledSaid(pull, [](double metres) { return fixed(metres * 1000, 1) + " mm"; });
+}
+
+Message pulledSaid(const FasteningPull& pull, std::string (*length)(double metres)) {
   const Message pulled = pull.length > 0
-                             ? say("drawn open with {0} N along {1}", fixed(pull.force, 1), millimetres(pull.length))
+                             ? say("drawn open with {0} N along {1}", fixed(pull.force, 1), length(pull.length))
                              : say("drawn open with {0} N", fixed(pull.force, 1));
-  return pull.holds() ? pulled : say("{0}; does not close, {1} are missing", pulled, millimetres(pull.gap));
+  return pull.holds() ? pulled : say("{0}; does not close, {1} are missing", pulled, length(pull.gap));
 }
 
 std::vector<float> pressureOnBody(const GarmentSnapshot& snapshot, Workers& workers) {

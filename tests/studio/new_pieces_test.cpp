@@ -1,6 +1,7 @@
 // Pieces drawn on paper in the real window: tools, numbers, bands and leading along edges; ready blocks.
 #include <gmock/gmock.h>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -10,6 +11,7 @@
 #include <QScrollBar>
 #include <QTest>
 #include <QTimer>
+#include <cmath>
 #include <numbers>
 
 #include "drafts.h"
@@ -328,6 +330,56 @@ TEST(StudioNewPieces, HalvesAreUnfoldedFromTheMenuOfTheirEdge) {
   EXPECT_FALSE(findEdge(piece(w, "yoke"), "fold"));
 }
 
+// A waist that a dart or the middle divides is pleated on both halves at once, as darts and notches are put there.
+TEST(StudioNewPieces, PleatsOnBothHalvesOfASkirt) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.session().perform(
+      *parseOperation("polygon name=panel points=\"0,0; 20cm,0; 18cm,40cm; 0,40cm; -18cm,40cm; -20cm,0\" "
+                      "edges=\"hem_left side_left waist_left waist_right side_right hem_right\""));
+  w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Select);
+  menuOn(w, "panel", "waist_left");
+  ASSERT_TRUE(choose(w, QString::fromUtf8("Pleats…"))) << w.main().said().toStdString();
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  numbers.type("count", "1");
+  EXPECT_EQ(numbers.said().toStdString(), "");
+  numbers.accept();
+  EXPECT_THAT(w.last(), HasSubstr("symmetric=yes"));
+  EXPECT_TRUE(symmetryOf(piece(w, "panel").outline)) << "it stays symmetric";
+}
+
+// Of a block only that is asked which its kind has; all of the dialog stays on the screen.
+TEST(StudioNewPieces, ABlockIsAskedWhatItsKindHas) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  w.main().findChild<QAction*>("block_numbers")->trigger();
+  w.rest();
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  EXPECT_EQ(numbers.line("ease").placeholderText(), "by the block's own rule");
+  auto& kinds = *numbers.dialog->findChild<QComboBox*>("kind");
+  numbers.dialog->findChild<QCheckBox*>("more")->click();
+  w.rest();
+  const auto asked = [&](const char* field) { return numbers.dialog->findChild<QWidget*>(field)->isVisible(); };
+  EXPECT_TRUE(asked("armhole") && asked("taper"));
+  EXPECT_FALSE(asked("knee") || asked("belly")) << "of a shirt";
+  kinds.setCurrentIndex(kinds.findData("trousers"));
+  EXPECT_TRUE(asked("knee") && asked("belly") && asked("ease"));
+  EXPECT_FALSE(asked("armhole") || asked("taper"));
+  kinds.setCurrentIndex(kinds.findData("collar"));
+  EXPECT_FALSE(asked("ease"));
+  w.rest();
+  const QRect there = numbers.dialog->screen()->availableGeometry();
+  EXPECT_TRUE(there.contains(numbers.dialog->frameGeometry()))
+      << numbers.dialog->frameGeometry().right() << " of " << there.right();
+}
+
 // By the right button on an edge, and by keys from the menu; the dialog offers pleats that fit.
 TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
   KARINUI_NEEDS_DISPLAY();
@@ -348,6 +400,8 @@ TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
     EXPECT_EQ(numbers.line("count").text(), "7");
     EXPECT_EQ(numbers.said(), "");
     numbers.type("count", "4");
+    EXPECT_FALSE(numbers.line("lines").isVisible()) << "what few pleats need is asked under More";
+    numbers.dialog->findChild<QCheckBox*>("more")->click();
     numbers.type("taper", "5");
     EXPECT_THAT(numbers.said().toStdString(), HasSubstr("at most"));
     numbers.type("taper", "0.8");
@@ -372,6 +426,9 @@ TEST(StudioNewPieces, PleatsAndAPocketByTheirNumbers) {
   numbers.accept();
   ASSERT_EQ(w.count(), before + 1) << w.main().said().toStdString();
   EXPECT_THAT(text(w.session().steps()[before].operation), StartsWith("patch piece="));
+  const Flat sewn = std::get<SewPatch>(w.session().steps()[before].operation).at;
+  EXPECT_NEAR(std::remainder(sewn.u, 0.005), 0, 1e-9) << "to half centimetres, as what is drawn";
+  EXPECT_NEAR(std::remainder(sewn.v, 0.005), 0, 1e-9);
   EXPECT_EQ(w.session().snapshot().document.pattern.seams.rbegin()->second.a.size(), 3u);
   // A top that dips in the middle is of two edges; the outline begins within it.
   w.session().perform(

@@ -2,6 +2,7 @@
 // How a garment fits, in numbers: what it presses with, how far round it is and how far round the body is under it.
 // Pure; long for large garments; any thread.
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "karinui/base/workers.h"
@@ -46,6 +47,7 @@ std::vector<FasteningPull> fasteningsOf(const GarmentSnapshot& snapshot);
 // "front 3", and "drawn open with 12.0 N; does not close, 1.4 mm are missing".
 Message fastenerSaid(const FasteningPull& pull);
 Message pulledSaid(const FasteningPull& pull);
+Message pulledSaid(const FasteningPull& pull, std::string (*length)(double metres));  // in the reader's own units
 
 // The level tape: round the trunk, or both legs together, arms and sleeves left out; or round one leg.
 struct Girths {

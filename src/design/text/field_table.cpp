@@ -1,6 +1,7 @@
 #include "design/text/field_table.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "design/text/value_text.h"
@@ -42,10 +43,19 @@ Operation make() {
   return Op();
 }
 
+template <class Value>
+struct KindWithin {
+  using Kind = Value;
+};
+template <class Value>
+struct KindWithin<std::optional<Value>> {
+  using Kind = Value;
+};
+
 // Of an operation whose kind says what else it has: which kinds have a field; none where all do.
 template <class Op>
 std::vector<std::string> kindsWith(std::string_view field) {
-  using Kind = typename decltype(Op::kind)::value_type;
+  using Kind = typename KindWithin<decltype(Op::kind)>::Kind;
   std::vector<std::string> having;
   const std::string words = kindOf(static_cast<const Kind*>(nullptr));
   std::size_t all = 0;

@@ -109,6 +109,16 @@ struct DraftBlock {
   Choice armhole = Choice::Auto;
   std::optional<Length> knee, hem;
   Choice legs = Choice::Auto, meets = Choice::Auto, taper = Choice::Auto;
+  // The fields that only some kinds have; a field that is not listed all have.
+  static constexpr std::string_view kKindField = "kind";
+  static bool has(Kind kind, std::string_view field) {
+    const bool trousers = kind == Kind::Trousers, below = trousers || kind == Kind::Skirt || kind == Kind::Leggings;
+    if (field == "ease") return kind != Kind::Collar;
+    if (field == "belly" || field == "worn" || field == "meets") return below;
+    if (field == "knee" || field == "hem" || field == "legs") return trousers;
+    if (field == "armhole") return kind == Kind::Bodice || kind == Kind::Shirt;
+    return field != "taper" || kind == Kind::Sleeve || kind == Kind::Shirt;
+  }
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("kind", self.kind, "bodice, sleeve, skirt, trousers, leggings, shirt or collar", kNeeded);
