@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QToolTip>
 #include <algorithm>
@@ -15,6 +16,12 @@
 namespace karinui::studio {
 
 std::optional<double> metresIn(QString text) {
+  static const QRegularExpression fraction("[/⁄½¼¾⅛⅜⅝⅞'′]"), unitless("[\\d½¼¾⅛⅜⅝⅞]\\s*$");
+  if (text.contains(fraction)) {
+    if (Theme::here().inches() && text.contains(unitless)) text += "in";
+    const auto length = parseLength(text.toStdString());
+    return length ? std::optional(*length) : std::nullopt;
+  }
   text = text.normalized(QString::NormalizationForm_KC);  // digits of full width
   const std::string said = text.replace(',', '.').replace('"', "in").remove(' ').toStdString();
   constexpr double kFinest = 1e9;  // to the metre: 94 cm are 0.94 m in the record, not 0.9400000000000001

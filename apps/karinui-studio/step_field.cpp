@@ -121,7 +121,7 @@ Wording measuresWording() {
             return items.join("; ");
           },
           [](const QString& typed) {
-            static const QRegularExpression measure("^(.*?)[\\s=:：]*([-+]?[\\d.]+\\s*[a-z\"]*)$");
+            static const QRegularExpression measure("^(.*?)[\\s=:：]*([-+]?[\\d.]+(?:[\\s-]+\\d+/\\d+)?\\s*[a-z\"]*)$");
             QStringList items;
             for (const QString& item : inUsualWidth(typed).split(';', Qt::SkipEmptyParts)) {
               const auto match = measure.match(item.trimmed());

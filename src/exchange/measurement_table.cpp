@@ -15,6 +15,7 @@ namespace karinui {
 namespace {
 
 constexpr std::size_t kMostColumns = 500, kLongestCell = 400;
+constexpr double kInch = 0.0254;  // metres
 
 // The rows of RFC 4180, with any of three separators: the one the first line has most of.
 class Rows {
@@ -79,9 +80,8 @@ struct Column {
 
 // "bust_girth_cm", "Bust (mm)": the name and its unit.
 std::pair<std::string, std::optional<double>> unitOf(std::string heading) {
-  const std::pair<std::string_view, double> units[] = {{"mm", 0.001},    {"cm", 0.01},   {"inches", 0.0254},
-                                                       {"inch", 0.0254}, {"in", 0.0254}, {"m", 1},
-                                                       {"deg", kDegree}, {"rad", 1}};
+  const std::pair<std::string_view, double> units[] = {{"mm", 0.001}, {"cm", 0.01}, {"inches", kInch}, {"inch", kInch},
+                                                       {"in", kInch}, {"m", 1},     {"deg", kDegree},  {"rad", 1}};
   while (!heading.empty() && (heading.back() == ')' || heading.back() == ']')) heading.pop_back();
   for (const auto& [unit, metres] : units) {
     if (!heading.ends_with(unit) || heading.size() <= unit.size()) continue;
@@ -146,6 +146,8 @@ Result<double> measureOf(const Column& column, const std::string& cell, bool dec
   const std::string& text = pointed ? *pointed : close;
   if (column.unit)
     if (const auto number = parseNumber(text)) return *number * *column.unit;
+  if (column.unit == kInch)
+    if (const auto length = parseLength(text + "in")) return *length;  // 27 1/2
   const bool angle = isAngle(column.key);
   if (const Done meant = angle ? Done() : unitMeant(text); !meant)
     return badInput(say("{0} Or the column's name says it: {1}_cm.", meant.error().what, column.key));

@@ -97,6 +97,20 @@ TEST(Number, LengthsInTheUnitsPeopleWrite) {
   }
 }
 
+TEST(Number, InchesInFractionsAsTapeMeasuresHaveThem) {
+  constexpr double kInch = 0.0254;
+  for (const char* said : {"27 1/2in", "27-1/2\"", "27 1/2 in", "27½\"", "27 ½″", "２７　1/2in", "27.5\"",
+                           "2ft 3 1/2in", "2'3 1/2\"", "2' 3-1/2", "27 1/2 inches", " 27  1/2in"})
+    EXPECT_NEAR(parseLength(said) ? *parseLength(said) : 0, 27.5 * kInch, 1e-15) << said;
+  EXPECT_DOUBLE_EQ(*parseLength("1/2 in"), kInch / 2);
+  EXPECT_DOUBLE_EQ(*parseLength("-3/8\""), -3 * kInch / 8);
+  EXPECT_DOUBLE_EQ(*parseLength("5'"), 60 * kInch);
+  EXPECT_DOUBLE_EQ(*parseLength("5'7"), 67 * kInch);
+  for (const char* bad : {"1/2", "1/2cm", "27 1/2", "27 1/0in", "27 3/2in", "1/in", "/2in", "\"", "'", "ft", "5'x",
+                          "27 1/2inx", "1/2/3in", "2 in/2", "left", "5''", "27-in", "waist/2in"})
+    EXPECT_FALSE(parseLength(bad)) << bad;
+}
+
 TEST(Number, ShortestReadsBackTheSameBits) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> exponent(-300, 300);

@@ -73,6 +73,14 @@ TEST(Formula, TakesDigitsOfFullWidth) {
   EXPECT_EQ(valueOf("（９５ｃｍ＋５cm）＊２"), valueOf("(95cm+5cm)*2"));
 }
 
+TEST(Formula, TakesInchesWithAFraction) {
+  EXPECT_EQ(valueOf("27 1/2in - 1 in"), (Quantity{27.5 * 0.0254 - 0.0254, kLength}));
+  EXPECT_NEAR(valueOf("bust/4 + 1 3/8\"").value, 0.22 + 1.375 * 0.0254, 1e-15);
+  EXPECT_EQ(Formula::parse("bust + 1 3/8″")->text(), "bust + 1.375in");
+  for (const char* bad : {"27 1/2", "27 1/2cm", "27 3/2in", "bust 1/2in"})
+    EXPECT_THAT(sentenceOf(bad), HasSubstr("cannot go on with")) << bad;
+}
+
 TEST(Formula, RefusalsQuoteThePart) {
   EXPECT_THAT(sentenceOf("bust/4 + 1.5"), HasSubstr("“bust/4” is a length and “1.5” is a plain number"));
   EXPECT_THAT(sentenceOf("sin(30)"), HasSubstr("sin() wants an angle, and “30” is a plain number"));
@@ -265,6 +273,20 @@ TEST(FormulaInAGarment, TextIsTheInverseAndReplaysToTheSameBits) {
   Document other = *document;
   other.variables["ease"] = "5cm";
   EXPECT_NE(hash(other), hash(*document));
+}
+
+TEST(FormulaInAGarment, InchesWithAFractionAreNumbers) {
+  const auto recorded = [](const char* line) {
+    const auto read = parseOperation(line);
+    return read ? text(*read) : text(read.error().what);
+  };
+  EXPECT_EQ(recorded("polygon name=c points=\"0,0; 10 1/2in,0; 10 1/2in,8-1/4in\""),
+            recorded("polygon name=c points=\"0,0; 10.5in,0; 10.5in,8.25in\""));
+  EXPECT_EQ(recorded("rectangle name=a width=\"27 1/2in\" height=1/2in"),
+            recorded("rectangle name=a width=27.5in height=0.5in"));
+  EXPECT_EQ(recorded("body size=eu38 set=\"bust=34 1/2in; waist=27-1/2in\""),
+            recorded("body size=eu38 set=\"bust=34.5in; waist=27.5in\""));
+  EXPECT_THAT(recorded("body size=eu38 set=\"bust=34 1/2\""), HasSubstr("34"));
 }
 
 TEST(FormulaInAGarment, StaysInItsFile) {

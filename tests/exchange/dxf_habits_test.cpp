@@ -371,6 +371,41 @@ TEST(DxfHabits, FarAwayAndDoubledPoints) {
   EXPECT_EQ(only(all).outline.edges.size(), 4u);
 }
 
+// A coat's front with a round hem, in chords of a few thousandths of a millimetre.
+TEST(DxfHabits, OutlinesOfVeryManyPoints) {
+  constexpr int kRound = 90'000;
+  std::vector<Flat> front{{0, 800}, {0, 0}};
+  for (int k = 1; k <= kRound; ++k) {
+    const double t = M_PI / 2 * k / kRound;
+    front.push_back(Flat{400 * std::sin(t), 250 * (1 - std::cos(t))});
+  }
+  front.push_back({400, 800});
+  const double area = 400 * 800 - 100'000 * (1 - M_PI / 4);
+  for (const bool single : {false, true}) {
+    Made made;
+    made.block("FRONT_38").says("Size: 38");
+    if (single)
+      for (std::size_t k = 0; k < front.size(); ++k) made.straight(1, front[k], front[(k + 1) % front.size()]);
+    else
+      made.line(1, front, true).points(2, {front[0], front[1], front[front.size() - 2], front.back()});
+    const auto all = readHabit(made.points(4, {{400, 500}}).endBlock().done());
+    EXPECT_NEAR(only(all).outline.area() * 1e6, area, 10) << "mm2";
+    EXPECT_EQ(only(all).outline.edges.size(), 3u) << "the hem runs smoothly into the side";
+    EXPECT_THAT(only(all).marks, SizeIs(1));
+    EXPECT_THAT(told(all), HasSubstr("its outline has more than 20000 points; "));
+    for (const Edge& edge : only(all).outline.edges) EXPECT_LT(edge.curve.flattened().size(), 400u);
+  }
+  // What is no line at all is refused as before.
+  std::vector<Flat> saw;
+  for (int k = 0; k < 30'000; ++k) saw.push_back({0.05 * k, k % 2 == 0 ? 0.0 : -0.4});
+  saw.push_back({1500, 900}), saw.push_back({0, 900});
+  Made jagged;
+  jagged.block("SAW_38").says("Size: 38").line(1, saw, true);
+  const auto refused = readCadPattern(jagged.endBlock().done());
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(text(refused.error().what), HasSubstr("more than 20000 points"));
+}
+
 TEST(DxfHabits, BlocksThatNameNoSize) {
   Made made;
   made.block("FRONT_LEFT").line(1, kPanel, true).endBlock();

@@ -56,6 +56,14 @@ TEST(MeasurementFiles, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(readMeasuresText(writeMeasuresText(man))->measures.sex, Sex::Child);
 }
 
+TEST(MeasurementFiles, InchesInFractions) {
+  const auto read = readMeasuresText("waist = 27 1/2in\nhip = 38-3/4\"\nbust=35 in\nheight = 5'6 1/2\"\n");
+  EXPECT_DOUBLE_EQ(of(read, "waist_girth"), 27.5 * 0.0254);
+  EXPECT_DOUBLE_EQ(of(read, "hip_girth"), 38.75 * 0.0254);
+  EXPECT_DOUBLE_EQ(of(read, "bust_girth"), 35 * 0.0254);
+  EXPECT_DOUBLE_EQ(of(read, "height"), 66.5 * 0.0254);
+}
+
 TEST(MeasurementFiles, ValentinaWithFormulasAndUnits) {
   const auto read = readValentina(
       "<?xml version=\"1.0\"?><!-- a comment --><vit><unit>inch</unit><body-measurements>"

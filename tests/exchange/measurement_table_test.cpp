@@ -73,6 +73,15 @@ TEST(MeasurementTable, TakesDecimalCommasWhereOtherSignsSeparateTheCells) {
   EXPECT_THAT(refusal("name,bust_girth_cm\nA,88,5\n"), HasSubstr("need semicolons between the cells"));
 }
 
+TEST(MeasurementTable, InchesInFractions) {
+  const auto table = readMeasurementTable("name,waist_in,hip\nA,27 1/2,38 3/4in\nB,27.5,38.75in\n");
+  ASSERT_TRUE(table) << text(table.error().what);
+  for (const auto& person : table->people) {
+    EXPECT_DOUBLE_EQ(of(person, "waist_girth"), 27.5 * 0.0254);
+    EXPECT_DOUBLE_EQ(of(person, "hip_girth"), 38.75 * 0.0254);
+  }
+}
+
 TEST(MeasurementTable, RefusesALengthThatLacksItsUnit) {
   const auto refusal = [](const std::string& bytes) {
     const auto table = readMeasurementTable(bytes);

@@ -156,6 +156,20 @@ TEST(StudioTyped, ALengthIsRecordedAsItWasTyped) {
   }
 }
 
+TEST(StudioTyped, InchesInFractions) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* typed : {"27 1/2in", "27-1/2\"", "27½\"", "2' 3 1/2\""})
+    EXPECT_DOUBLE_EQ(metresIn(QString::fromUtf8(typed)).value_or(0), 27.5 * 0.0254) << typed;
+  EXPECT_FALSE(metresIn("27 1/2")) << "of centimetres";
+  EXPECT_FALSE(metresIn("waist_girth/2")) << "a formula";
+  Theme::here().setInches(true);
+  EXPECT_DOUBLE_EQ(metresIn("27 1/2").value_or(0), 27.5 * 0.0254);
+  EXPECT_DOUBLE_EQ(metresIn("1/2").value_or(0), 0.5 * 0.0254);
+  EXPECT_FALSE(metresIn("waist_girth/2"));
+  Theme::here().setInches(false);
+}
+
 TEST(StudioTyped, WhatCannotBeIsRefusedWithWhatCanAndTheOldNumberStays) {
   KARINUI_NEEDS_DISPLAY();
   Window w;

@@ -23,8 +23,8 @@ bool letter(char c) {
 // The signs that people type or paste, as the grammar has them.
 std::string plainSigns(std::string_view text) {
   static constexpr std::pair<std::string_view, std::string_view> kSigns[]{
-      {"×", "*"},  {"·", "*"},  {"÷", "/"},  {"−", "-"},  {"°", "deg"}, {"　", " "}, {"＋", "+"},
-      {"－", "-"}, {"＊", "*"}, {"／", "/"}, {"（", "("}, {"）", ")"},  {"．", "."}};
+      {"×", "*"},  {"·", "*"},  {"÷", "/"},  {"−", "-"},  {"°", "deg"}, {"　", " "},  {"＋", "+"}, {"－", "-"},
+      {"＊", "*"}, {"／", "/"}, {"（", "("}, {"）", ")"}, {"．", "."},  {"\"", "in"}, {"″", "in"}, {"”", "in"}};
   std::string out;
   bool named = false, counted = false;  // in a name, whose digits may be of any width; in a number and its unit
   while (!text.empty()) {
@@ -137,6 +137,7 @@ class Reading {
     const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), term.number);
     if (error != std::errc()) return unexpected();
     at_ += static_cast<std::size_t>(end - begin);
+    if (takeInches(term)) return put(std::move(term));
     const std::size_t behind = at_;
     skip();
     if (at_ < text_.size() && text_[at_] == '%') {
@@ -150,6 +151,24 @@ class Reading {
       at_ = behind;
     }
     return put(std::move(term));
+  }
+  // The fraction behind a number of inches, as in 27 1/2in. A fraction alone, 1/2in, is one through two inches.
+  bool takeInches(FormulaTerm& term) {
+    std::size_t end = at_;
+    const auto run = [&](auto&& belongs) {
+      const std::size_t begin = end;
+      while (end < text_.size() && belongs(text_[end])) ++end;
+      return text_.substr(begin, end - begin);
+    };
+    const auto blank = [](char c) { return c == ' '; };
+    if (run(blank).empty()) return false;
+    const auto part = parseNumber(run(digit));
+    if (!part || end == text_.size() || text_[end++] != '/') return false;
+    const auto of = parseNumber(run(digit));
+    run(blank);
+    if (!of || *part >= *of || run(letter) != "in") return false;
+    term.number += *part / *of, term.word = "in", at_ = end;
+    return true;
   }
   Result<EdgeRef> edge(std::string_view text) {
     EdgeRef read;

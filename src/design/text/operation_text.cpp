@@ -94,7 +94,10 @@ Done readField(const FieldOf& field, std::string_view text, std::vector<FieldTex
     return Quantity{0, kind == "number" ? kPlainNumber : kind.ends_with("angle") ? kAngle : kLength};
   });
   if (!formula) return seemsFormula(kind, text) ? formula.error() : done;
-  if (!formula->any) return done;
+  if (!formula->any) {  // numbers with blanks within, as 27 1/2in
+    const Done plain = field.form->read(formula->plain, field.value);
+    return plain ? plain : done;
+  }
   if (Done whole = field.form->read(formula->plain, nullptr); !whole) return whole;
   formulas.push_back({std::string(field.name), formula->formulas});
   return {};

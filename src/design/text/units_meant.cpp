@@ -39,6 +39,8 @@ Done unitsMeant(std::string_view kind, std::string_view text) {
   for (const std::string_view item : partsOf(text, ";,")) {
     const auto words = partsOf(item, " \t\r\n");
     const auto lengthIn = [](std::string_view word) { return word.substr(word.find('=') + 1); };
+    const std::string_view whole = trimmed(lengthIn(item));
+    if (!parseNumber(whole) && parseLength(whole)) continue;  // 34 1/2in, whose first word is no length of its own
     const bool plain = std::all_of(words.begin(), words.end(), [&](std::string_view word) {
       return static_cast<bool>(parseLength(lengthIn(word)));
     });

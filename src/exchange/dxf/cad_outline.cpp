@@ -270,14 +270,21 @@ class Making {
   Result<Outline> outline() {
     auto points = pointsOf(drawn_, seams_);
     if (!points) return wrong(points.error().what);
-    if (points->size() > kMostVertices)
-      return wrong(
-          say("the outline has more than {0} points. Write the file with fewer; a tolerance of 0.1 mm is enough.",
-              kMostVertices));
+    std::vector<Flat> turns = turnsOf(drawn_, sample_);
+    if (points->size() > kMostVertices) {
+      if (turns.size() > kMostVertices / 2) turns.clear();  // which calls every point a corner says nothing
+      *points = thinned(*points, true, turns);
+      if (points->size() > kMostVertices)
+        return wrong(
+            say("the outline has more than {0} points. Write the file with fewer; a tolerance of 0.1 mm is enough.",
+                kMostVertices));
+      note(say("its outline has more than {0} points; {1} of them are read, and the line stays within 0.05 mm.",
+               kMostVertices, points->size()));
+    }
     if (std::max({drawn_.notches.size(), drawn_.drills.size(), drawn_.inside.size(), drawn_.cutouts.size()}) >
         kMostMarks)
       return wrong(say("it has more than {0} notches, holes or lines.", kMostMarks));
-    CadRing ring = withTurns(*std::move(points), turnsOf(drawn_, sample_));
+    CadRing ring = withTurns(*std::move(points), turns);
     if (drawn_.fold && distance(drawn_.fold->first, drawn_.fold->second) > kShortest) {
       const Flat axis = unit(drawn_.fold->second - drawn_.fold->first);
       if (auto whole = unfolded(ring, drawn_.fold->first, axis)) {

@@ -44,6 +44,11 @@ std::vector<CadLoop> loopsOf(const std::vector<CadLine>& lines, Flat& gap, doubl
 // The largest of them. Nothing: they leave a gap, which lies at `gap`.
 std::optional<std::vector<Flat>> chained(const std::vector<CadLine>& lines, Flat& gap);
 
+// As few of a line's points as keep all of it within 0.03 mm, none of them farther from the next than a millimetre (or
+// a ten-thousandth of a very long line), so that a curve through them stays beside the line. Those at `stay` are kept.
+// The time is that of one walk along the points.
+std::vector<Flat> thinned(const std::vector<Flat>& points, bool closed, const std::vector<Flat>& stay);
+
 // The ring with its turns: the points that the file calls so, or where it calls none, those where the chords bend much.
 CadRing withTurns(std::vector<Flat> points, const std::vector<Flat>& turns);
 
