@@ -170,5 +170,19 @@ TEST(Told, ACopyThatStandsInItsPieceIsTold) {
               Not(Contains(HasSubstr("in the same place"))));
 }
 
+// Dungarees whose straps are drawn before the legs are sewn up: the waist behind stands wide, beside the arm.
+TEST(Told, AStrapThatBeginsBesideAnArmIsTold) {
+  const std::string dungarees =
+      "body size=child128\nblock kind=trousers ease=14cm\n"
+      "draw name=bib symmetric=yes ease=1cm edges=\"top side low\" line=\"torso:armpit@0; torso:armpit@0.07; "
+      "torso:waist@0.14; torso:waist@0\"\n";
+  const std::string strap = "strap name=strap_left from=bib.top_left@0.1:0.3 to=leg_back_left.waist@0.1:0.25 width=3cm";
+  const auto beside = HasSubstr("beside an arm or a leg");
+  const auto undraped = toldOf(dungarees + strap + "\nmirror piece=strap_left\n");
+  EXPECT_THAT(undraped, Contains(beside));
+  EXPECT_THAT(undraped, Not(Contains(HasSubstr("in the same place")))) << "from side to side, not across the middle";
+  EXPECT_THAT(toldOf(dungarees + strap + " over=line:shoulder_left@0.4\n"), Not(Contains(beside)));
+}
+
 }  // namespace
 }  // namespace karinui

@@ -609,8 +609,10 @@ void tellDrawnThroughBody(const Document& document, const Fasten& op, const Fast
     through += deep;
   }
   if (2 * through <= places.size()) return;
-  context.advise({say("{0} and {1} lie on opposite sides of the body; what fastens them would run through it.",
-                      spoken(document, op.a.front()), spoken(document, op.b.front()))});
+  context.advise(
+      {say("{0} and {1} lie on opposite sides of the body; what fastens them would run through it. "
+           "A strap from one to the other goes round it.",
+           spoken(document, op.a.front()), spoken(document, op.b.front()))});
 }
 
 }  // namespace

@@ -41,11 +41,21 @@ Done resolve(const Document& before, MirrorPiece& op, Context& context) {
 
 namespace {
 
+// Whether a piece stands as its own mirror image: a strap that is alike on both sides may cross the middle on its way.
+bool standsInItself(const Piece& piece, const PaperSymmetry& symmetry) {
+  constexpr double kApart = 0.1;  // metres
+  const Stand stand(piece);
+  return std::all_of(piece.outline.edges.begin(), piece.outline.edges.end(), [&](const Edge& edge) {
+    const Vec3 here = stand(edge.curve.start), there = stand(symmetry.image(edge.curve.start));
+    return distance(Vec3{-here.x, here.y, here.z}, there) < kApart;
+  });
+}
+
 // The copy of a back or a skirt's front, which lie across the middle, stands where it stands itself.
 void tellInItself(const Piece& piece, const Context& context) {
   constexpr double kMiddle = 0.03;  // metres
   const auto symmetry = context.advise && piece.form ? symmetryOf(piece.outline) : std::nullopt;
-  if (!symmetry || std::fabs(Stand(piece)(symmetry->through).x) > kMiddle) return;
+  if (!symmetry || std::fabs(Stand(piece)(symmetry->through).x) > kMiddle || !standsInItself(piece, *symmetry)) return;
   context.advise({say("“{0}” lies on both sides of the body already, and its copy in the same place: take one of them "
                       "away, or move it.",
                       piece.name),

@@ -22,6 +22,7 @@ constexpr double kNearestNeck = 0.2;  // shares of the shoulder's length between
 constexpr double kNearestTip = 0.6;   // nearer to the tip it slips off
 constexpr double kShoulderStep = 0.05;
 constexpr double kOnCentre = 0.03;  // turns from the centre line within which an end is on neither side
+constexpr double kOffBody = 0.03;   // metres from the skin beyond which an edge does not lie on what is nearest to it
 
 // Places of a way, and the direction away from the body at each.
 struct WayLine {
@@ -168,6 +169,21 @@ std::optional<BodyPoint> usualWay(const Body& body, const StrapEnd& from, const 
   return least < 1e9 ? std::optional(best) : std::nullopt;
 }
 
+// An end that stands off the body beside a limb, as the waist of trousers that were not sewn up yet beside an arm: the
+// strap begins there, and goes no usual way.
+void tellBesideLimb(const Body& body, const StrapEnd& from, const StrapEnd& to, const Context& context) {
+  if (!context.advise) return;
+  const auto onTrunk = [&](const StrapEnd& end) {
+    const auto skin = skinNear(body, end.middle);
+    return !skin || body.describe(*skin).part == BodyPoint::Part::Torso;
+  };
+  const bool first = onTrunk(from), second = onTrunk(to);
+  if (first == second || body.bvh().signedDistance((first ? to : from).middle) < kOffBody) return;
+  context.advise(
+      {say("One end of the strap stands beside an arm or a leg, not at the trunk, and the strap is led from "
+           "there. Bring the garment to rest first, or say over what the strap goes.")});
+}
+
 }  // namespace
 
 StrapEnd strapEnd(const Document& document, const EdgeRef& part) {
@@ -231,6 +247,7 @@ Done settleWay(const Document& before, const StrapEnd& from, const StrapEnd& to,
   const auto body = bodyOf(before, context);
   if (!body) return body.error();
   if (!over && !context.recorded) over = usualWay(**body, from, to);
+  if (!over && !context.recorded) tellBesideLimb(**body, from, to, context);
   if (!over) return {};
   const auto place = (*body)->find(*over);
   return place ? Done() : Done(place.error());
