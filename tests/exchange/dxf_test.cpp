@@ -256,6 +256,21 @@ std::string halfBacks() {
   return both.done();
 }
 
+TEST(Dxf, HowOftenAPieceIsCutIsWritten) {
+  const Pattern pattern = readCadPattern(halfBacks())->pattern;
+  SheetSettings settings;
+  const PieceId back = pattern.pieces.begin()->first;
+  for (const Cutting cutting : {Cutting{1, false}, Cutting{3, false}, Cutting{4, true}}) {
+    settings.cutting[back] = cutting;
+    const auto aama = readCadPattern(*writeDxf(pattern, DxfDialect::Aama, settings)),
+               astm = readCadPattern(*writeDxf(pattern, DxfDialect::Astm, settings));
+    ASSERT_TRUE(aama && astm);
+    for (const auto* read : {&*aama, &*astm}) EXPECT_EQ(read->rows[0].quantity, cutting.count);
+    EXPECT_EQ(astm->rows[0].pairs, cutting.pairs);
+  }
+  EXPECT_THAT(*writeDxf(pattern, DxfDialect::Astm, settings), HasSubstr("Quantity: 2,2"));
+}
+
 TEST(Dxf, OpenLinesAreChainedAndHalvesUnfolded) {
   const auto read = readCadPattern(halfBacks());
   ASSERT_TRUE(read) << text(read.error().what);

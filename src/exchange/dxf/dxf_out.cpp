@@ -111,7 +111,7 @@ class Writing {
 
   // `rules`: those of its points, in the base size.
   void piece(const Pattern& pattern, const Piece& piece, const AllowancePlan* plan, const Allowances& finish,
-             const std::string& size, const std::vector<NumberedRule>& rules) {
+             const Cutting& cutting, const std::string& size, const std::vector<NumberedRule>& rules) {
     const std::string block = blockNames_.at(piece.id) + "_" + size;
     const Piece& base = *base_.at(piece.id);
     const PlacedRing seam = drawn(piece.outline, base.outline);
@@ -121,7 +121,7 @@ class Writing {
     group(0, "BLOCK"), group(8, "0"), group(2, block), group(70, "64"), place({0, 0});
     const Flat at = boundary.points.front();
     for (const std::string& words :
-         {"Piece Name: " + names_.at(piece.id), "Size: " + size, std::string(astm_ ? "Quantity: 1,0" : "Quantity: 1"),
+         {"Piece Name: " + names_.at(piece.id), "Size: " + size, "Quantity: " + quantity(cutting),
           "Annotation: " + asciiText(piece.name), std::string("Category: "), "Fabric: " + asciiText(piece.fabric)})
       text(1, at, words);
     line(1, boundary);
@@ -174,6 +174,12 @@ class Writing {
   }
 
  private:
+  // AAMA: how many; ASTM: right ones and left ones.
+  std::string quantity(const Cutting& cutting) const {
+    if (!astm_) return std::to_string(cutting.count);
+    const int left = cutting.pairs ? cutting.count / 2 : 0;
+    return std::to_string(cutting.count - left) + "," + std::to_string(left);
+  }
   void group(int code, std::string_view value) {
     out_.append(std::to_string(code)).append("\r\n").append(value).append("\r\n");
   }
@@ -277,8 +283,8 @@ Result<std::string> writeDxf(const Pattern& pattern, DxfDialect dialect, const S
   for (const auto& [id, piece] : pattern.pieces)
     for (std::size_t size = 0; size < sizes.size(); ++size)
       writing.piece(patterns[size], *patterns[size].pieces.at(id), plans[size] ? &*plans[size] : nullptr,
-                    settings.allowances, sizes[size],
-                    graded && size == grading.base ? book.places[id] : std::vector<NumberedRule>());
+                    settings.allowances, settings.cutting.contains(id) ? settings.cutting.at(id) : Cutting(),
+                    sizes[size], graded && size == grading.base ? book.places[id] : std::vector<NumberedRule>());
   return writing.finished(settings.title, sizes[graded ? grading.base : 0], graded);
 }
 
