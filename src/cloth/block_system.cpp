@@ -18,9 +18,8 @@ constexpr int kCoarseSpeedup = 4;             // which needs so many times fewer
 constexpr std::size_t kLeastForCoarse = 200;  // and does not pay for fewer unknowns
 constexpr int kMostSolves = 20;               // with one coarse matrix
 constexpr double kMostGrowth = 1.4;           // times as many iterations as when it was new: then it is assembled anew,
-constexpr int kFewIterations = 10;            // unless they are few anyway.
-constexpr double kManyContacts = 0.125;       // With more of them to an unknown it is dearer,
-constexpr int kNewSolves = 3;                 // and new for all solves of a Newton's method
+constexpr int kNewSolves = 3;                 // new for the solves of a whole Newton's method, which differ,
+constexpr int kFewIterations = 10;            // unless they are few anyway
 
 struct Axes {
   float *x, *y, *z;
@@ -165,7 +164,7 @@ double BlockSystem::multiply(Workers& workers) {
 // The matrix changes little from step to step. It is assembled anew when it is old or costs too many iterations.
 bool BlockSystem::coarseMatrixReady(Workers& workers) {
   if (unknowns() < kLeastForCoarse) return false;
-  const bool dear = age_ > 2 && iterations_ > kMostGrowth * iterationsWhenNew_;
+  const bool dear = age_ >= kNewSolves && iterations_ > kMostGrowth * iterationsWhenNew_;
   if (coarse_.ready() && age_ < kMostSolves && !dear) return true;
   age_ = 0;
   return coarse_.assemble(stepMatrix(), workers);
@@ -259,8 +258,7 @@ int BlockSystem::solve(std::span<const Vec3> force, const StoppingRule& rule, co
   }
   iterations_ = iteration;
   if (age_++ == 0) iterationsWhenNew_ = kFewIterations;
-  const bool manyContacts = static_cast<double>(couplings_.size()) > kManyContacts * static_cast<double>(count);
-  if (age_ <= (manyContacts ? kNewSolves : 1)) iterationsWhenNew_ = std::max(iteration, iterationsWhenNew_);
+  if (age_ <= kNewSolves) iterationsWhenNew_ = std::max(iteration, iterationsWhenNew_);
   workers.forBlocks(count, kUnknownBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
       move[k] = Vec3{d_[0][slotOf_[k]], d_[1][slotOf_[k]], d_[2][slotOf_[k]]} * largest;

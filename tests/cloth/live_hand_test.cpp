@@ -85,7 +85,7 @@ TEST(LiveHand, LeapsInStepsTheClothCanFollow) {
   ASSERT_TRUE(hand);
   const Vec3 place = strip.hem() + Vec3{0, 0.08, 0.04};
   ASSERT_TRUE(hand->to(place, Token()));
-  EXPECT_LT(distance(hand->places()[3], place), 0.02);
+  EXPECT_LT(distance(hand->places()[3], place), 0.03);  // of 0.09; the last step's lag
 }
 
 // Each call is a step where the way is short, and goes on from where the one before left the cloth: kept velocity,
