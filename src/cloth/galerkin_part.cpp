@@ -355,8 +355,7 @@ void GalerkinPart::addCouplings(std::size_t begin, std::size_t end) {
           of->weight += weight;
       }
     for (const CoarseWeight& a : sum)
-      for (const CoarseWeight& b : sum)
-        if (a.node >= b.node) sink_.add(a.node, b.node, a.weight * b.weight, block);
+      for (const CoarseWeight& b : sum) addEntry(a.node, b.node, block, a.weight * b.weight);
   });
 }
 
