@@ -1,24 +1,14 @@
 #include "cloth/bending.h"
 
 #include <algorithm>
+#include <array>
 
 #include "cloth/border_bending.h"
-#include "cloth/sort_by_row.h"
 
 namespace karinui {
 namespace {
 
 constexpr double kLeftover = 1.0;  // strength of what a border's quadratic leaves over
-
-using Entry = NodeWeight;
-
-// Adds c (sum w x)^2 / 2.
-void addTerm(std::vector<Entry>& entries, const std::vector<NodeIndex>& nodes, const double* w, double c) {
-  if (!(c > 0)) return;
-  for (std::size_t a = 0; a < nodes.size(); ++a)
-    for (std::size_t b = 0; b < nodes.size(); ++b)
-      if (w[a] != 0 && w[b] != 0) entries.push_back({nodes[a], nodes[b], c * w[a] * w[b]});
-}
 
 // Of each node's area, what can bend: between held nodes nothing does. A clamp runs through the held nodes beside free
 // ones, so that the curvature is that of a part of their surroundings only; the part is weighted as the whole.
@@ -40,10 +30,16 @@ std::vector<double> bendingShares(const Lattice& lattice, const LatticeAreas& ar
   return bends;
 }
 
-// Fills `inside` with the terms on the grid and `border` with the others.
-void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, const GridLayout& layout,
-              std::vector<Entry>& inside, std::vector<Entry>& border, GridBending& grid) {
+// Of a piece: the terms on the grid, and the others.
+struct PieceBending {
+  explicit PieceBending(std::size_t nodes) : inside(nodes), border(nodes) {}
+  QuadraticForm inside, border;
+};
+
+PieceBending bendingOf(const ClothPiece& piece, const std::vector<std::uint8_t>& held, const GridLayout& layout,
+                       GridBending& grid) {
   const Lattice& lattice = *piece.lattice;
+  PieceBending bending(lattice.nodes.size());
   const double bu = piece.fabric.bendWeft, bv = piece.fabric.bendWarp, twist = std::sqrt(bu * bv);
   const double h = lattice.spacing, perSquare = 1 / (h * h);
   const LatticeAreas areas = latticeAreas(lattice);
@@ -56,7 +52,7 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, co
     // Three corners held: the clamp runs across the cell, and only the half with the free corner twists, twice as much.
     const bool halved = isHeld(c[0]) + isHeld(c[1]) + isHeld(c[2]) + isHeld(c[3]) == 3;
     const double strength = 2 * twist * h * h * (halved ? 2 : 1);
-    addTerm(inside, {node(c[0]), node(c[1]), node(c[2]), node(c[3])}, mixed, strength);
+    bending.inside.addSquare(c, mixed, strength);
     grid.twist[layout.slotOf[node(c[0])]] = static_cast<float>(strength * perSquare * perSquare);
   }
   std::vector<std::uint8_t> fixed(lattice.nodes.size());
@@ -69,28 +65,27 @@ void addPiece(const ClothPiece& piece, const std::vector<std::uint8_t>& held, co
     if (x[0] == kNoNode) {
       const QuadraticFit& fit = around.fits[k];
       const double strength = kLeftover * 0.5 * (bu + bv) * area;
-      for (Eigen::Index a = 0; a < fit.leftover.rows(); ++a)
-        for (Eigen::Index b = 0; b < fit.leftover.cols(); ++b)
-          border.push_back({node(fit.nodes[a]), node(fit.nodes[b]), strength * fit.leftover(a, b)});
+      bending.border.addBlock(fit.nodes, fit.leftover.data(), strength);
       continue;
     }
     const double times = bends[k] > 0 ? area / bends[k] : 1, weft = bu * area * times, warp = bv * area * times;
-    addTerm(inside, {node(x[0]), node(k), node(x[1])}, second, weft);
-    addTerm(inside, {node(x[2]), node(k), node(x[3])}, second, warp);
+    bending.inside.addSquare(std::array{x[0], k, x[1]}, second, weft);
+    bending.inside.addSquare(std::array{x[2], k, x[3]}, second, warp);
     grid.weft[layout.slotOf[node(k)]] = static_cast<float>(weft * perSquare * perSquare);
     grid.warp[layout.slotOf[node(k)]] = static_cast<float>(warp * perSquare * perSquare);
   }
   for (const BendRegion& region : around.regions) {
-    double bending = 0;
-    for (std::uint32_t k : region.members) bending += bends[k];
-    const double times = bending > 0 ? region.area / bending : 1;
-    std::vector<NodeIndex> nodes;
-    for (std::uint32_t k : region.nodes) nodes.push_back(node(k));
+    double bent = 0;
+    for (std::uint32_t k : region.members) bent += bends[k];
+    const double times = bent > 0 ? region.area / bent : 1;
     const auto n = region.rows.cols();
-    addTerm(border, nodes, region.rows.data(), bu * region.area * times);
-    addTerm(border, nodes, region.rows.data() + n, 2 * twist * region.ring * times);
-    addTerm(border, nodes, region.rows.data() + 2 * n, bv * region.area * times);
+    bending.border.addSquare(region.nodes, region.rows.data(), bu * region.area * times);
+    bending.border.addSquare(region.nodes, region.rows.data() + n, 2 * twist * region.ring * times);
+    bending.border.addSquare(region.nodes, region.rows.data() + 2 * n, bv * region.area * times);
   }
+  bending.inside.sortByNode();
+  bending.border.sortByNode();
+  return bending;
 }
 
 }  // namespace
@@ -102,14 +97,22 @@ Bending::Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, cons
     if (piece.live && piece.fabric.law == Fabric::Law::Woven &&
         (piece.fabric.bendWarp > 0 || piece.fabric.bendWeft > 0))
       pieces.push_back(&piece);
-  std::vector<std::vector<Entry>> remainder(pieces.size());
+  std::vector<std::vector<NodeWeight>> remainder(pieces.size());
   std::vector<Rows> rows(pieces.size());
   workers.forBlocks(pieces.size(), 1, [&](std::size_t p, std::size_t) {
-    std::vector<Entry> entries;
-    entries.reserve(40 * pieces[p]->lattice->nodes.size());
-    addPiece(*pieces[p], held, layout, entries, remainder[p], grid_);
-    entries.insert(entries.end(), remainder[p].begin(), remainder[p].end());
-    rows[p] = summed(std::move(entries), *pieces[p]);
+    const NodeIndex first = pieces[p]->firstNode;
+    const auto nodes = static_cast<std::uint32_t>(pieces[p]->lattice->nodes.size());
+    const PieceBending bending = bendingOf(*pieces[p], held, layout, grid_);
+    SparseRowSum sum(nodes);
+    for (std::uint32_t k = 0; k < nodes; ++k) {
+      bending.inside.addRow(k, sum);
+      bending.border.addRow(k, sum);
+      rows[p].add(first, k, sum);
+      bending.border.addRow(k, sum);
+      sum.take([&](std::uint32_t column, double weight) {
+        remainder[p].push_back({first + k, first + column, weight});
+      });
+    }
   });
   for (const auto& entries : remainder) remainder_.insert(remainder_.end(), entries.begin(), entries.end());
   for (const Rows& own : rows) {
@@ -122,24 +125,15 @@ Bending::Bending(const Cloth& cloth, const std::vector<std::uint8_t>& held, cons
   rows_.start.push_back(static_cast<std::uint32_t>(rows_.column.size()));
 }
 
-// The entries of one piece, those of one place added up in the order they came.
-Bending::Rows Bending::summed(std::vector<NodeWeight> entries, const ClothPiece& piece) {
-  sortByRow(
-      entries, piece.lattice->nodes.size(), [&](const Entry& e) { return e.row - piece.firstNode; },
-      [&](const Entry& e) { return e.column - piece.firstNode; });
-  Rows rows;
-  for (std::size_t e = 0; e < entries.size(); ++e) {
-    if (e == 0 || entries[e].row != entries[e - 1].row) {
-      rows.start.push_back(static_cast<std::uint32_t>(rows.column.size()));
-      rows.node.push_back(entries[e].row);
-    } else if (entries[e].column == rows.column.back()) {
-      rows.weight.back() += entries[e].weight;
-      continue;
-    }
-    rows.column.push_back(entries[e].column);
-    rows.weight.push_back(entries[e].weight);
-  }
-  return rows;
+void Bending::Rows::add(NodeIndex first, std::uint32_t row, SparseRowSum& sum) {
+  const auto begin = static_cast<std::uint32_t>(column.size());
+  sum.take([&](std::uint32_t k, double w) {
+    column.push_back(first + k);
+    weight.push_back(w);
+  });
+  if (column.size() == begin) return;
+  node.push_back(first + row);
+  start.push_back(begin);
 }
 
 Vec3 Bending::rowTimes(std::size_t row, std::span<const Vec3> x) const {

@@ -6,6 +6,7 @@
 //   Border:  the mean curvature of regions around the nodes (border_bending.h). What the nodes' best-fitting quadratics
 //            leave over costs energy too, so that no jagged mode of the border is free.
 // Between held nodes nothing bends: a region that is clamped in part is weighted by whole over bending area.
+#include "cloth/quadratic_form.h"
 #include "cloth/sparse_rows.h"
 #include "karinui/cloth/cloth.h"
 
@@ -26,9 +27,9 @@ class Bending : public Energy {
     std::vector<NodeIndex> node;       // of each row
     std::vector<std::uint32_t> start;  // of each row in column and weight; of all rows, one more: the end
     std::vector<NodeIndex> column;
-    std::vector<double> weight;  // N/m
+    std::vector<double> weight;                                       // N/m
+    void add(NodeIndex first, std::uint32_t row, SparseRowSum& sum);  // a row of the piece whose first node it is
   };
-  static Rows summed(std::vector<NodeWeight> entries, const ClothPiece& piece);
   Vec3 rowTimes(std::size_t row, std::span<const Vec3> x) const;
   Rows rows_;
   GridBending grid_;
