@@ -118,6 +118,7 @@ IntersectionContour::IntersectionContour(const Cloth& cloth)
         around[c] = at->second;
       }
       mesh_.faces.push_back(face);
+      live_.push_back(piece.live);
       edgeOf_.push_back(around);
     }
 }
@@ -148,7 +149,7 @@ void IntersectionContour::find(std::span<const Vec3> x, Workers& workers) {
     auto& out = parts[begin / kCells];
     for (std::size_t cell = begin; cell < end; ++cell)
       grid.forTouchingFaces(cell, [&](std::uint32_t f, std::uint32_t g) {
-        if (sewn(f, g)) return;
+        if ((!live_[f] && !live_[g]) || sewn(f, g)) return;
         test(f, g, out);
         test(g, f, out);
       });

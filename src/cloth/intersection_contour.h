@@ -18,7 +18,7 @@ class IntersectionContour {
  public:
   explicit IntersectionContour(const Cloth& cloth);
 
-  // Finds the intersections; faces sewn to each other have none.
+  // Finds the intersections; faces sewn to each other have none, nor have faces that both hold still.
   void find(std::span<const Vec3> x, Workers& workers);
   std::size_t crossings() const { return crossings_; }  // of an edge with a face
   // Per node: whether it is of a face that intersects another, or beside one.
@@ -33,7 +33,8 @@ class IntersectionContour {
   };
   void addShortening(std::span<const Vec3> x, const Edge& edge, std::uint32_t face);
 
-  TriangleMesh mesh_;  // the cloth's faces; its points are those of the last find
+  TriangleMesh mesh_;               // the cloth's faces; its points are those of the last find
+  std::vector<std::uint8_t> live_;  // per face
   std::vector<std::array<std::uint32_t, 3>> edgeOf_;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> group_;  // nodes sewn together carry the same number

@@ -12,6 +12,7 @@
 #include "karinui/cloth/follow.h"
 #include "karinui/cloth/gather_waves.h"
 #include "karinui/cloth/girth_check.h"
+#include "karinui/cloth/lay_between.h"
 #include "karinui/cloth/live_hand.h"
 #include "karinui/cloth/merged_planes.h"
 #include "karinui/pattern/elastic_lines.h"
@@ -54,6 +55,7 @@ Result<Levels> levelsOf(const Document& document, const std::set<PieceId>& live,
   Result<ClothLevel> finest = levelAt(document, live, document.settings.spacing);
   if (!finest) return finest.error();
   if (layGathersInWaves(finest->cloth, finest->state.position)) finest->cloth.pleated = true;
+  layBetween(finest->cloth, finest->state.position);
   const bool pleated = finest->cloth.pleated || !pleatsOf(document.pattern).empty();
   for (const double times : {kWidest, kWidest / 2}) {
     if (pleated || times * document.settings.spacing > kCoarsest) continue;

@@ -56,6 +56,20 @@ TEST(IntersectionContour, TheWayOutDrawsThePassedCornerBack) {
   EXPECT_EQ(contour.crossings(), 0u);
 }
 
+// What holds still cannot be drawn apart: on a coarse level a frozen collar goes through its stand.
+TEST(IntersectionContour, SheetsThatBothHoldStillAreLeft) {
+  Workers workers(1);
+  for (const bool first : {true, false})
+    for (const bool second : {true, false}) {
+      CrossedSheets s = sheets(0.011);
+      s.cloth.pieces[0].live = first;
+      s.cloth.pieces[1].live = second;
+      IntersectionContour contour(s.cloth);
+      contour.find(s.state.position, workers);
+      EXPECT_EQ(contour.crossings() > 0, first || second);
+    }
+}
+
 // Each edge against each face by the exact predicate.
 std::size_t crossingsOneByOne(const Cloth& cloth, const std::vector<Vec3>& x) {
   std::vector<Triangle> faces;

@@ -1,8 +1,10 @@
-// Cloth in layers: pleats that hang from a pinned waist, and a patch sewn onto a line inside another piece.
+// Cloth in layers: pleats that hang from a pinned waist, a patch sewn onto a line inside another piece, and a lining
+// that is laid between two layers.
 #include <gtest/gtest.h>
 
 #include "cloth/helpers.h"
 #include "karinui/check/check.h"
+#include "karinui/cloth/lay_between.h"
 #include "karinui/pattern/pleats.h"
 
 namespace karinui::test {
@@ -133,6 +135,46 @@ TEST(Patch, StaysOnItsLineAndOutside) {
     return p.u > at({0.02, 0}).u && p.u < at({0.06, 0}).u && p.v > at({0, 0.03}).v && p.v < at({0, 0.06}).v;
   });
   EXPECT_GT(over, under + 0.001);
+}
+
+// Three layers over each other, the outer one last; the inner one is `beneath` it and the lining 3 mm.
+ClothLevel linedLayers(const std::function<double(Flat)>& beneath) {
+  ClothLevel level;
+  level.cloth.spacing = kSpacing;
+  for (const int layer : {0, 1, 2}) {
+    // Other nodes than the other layers'.
+    addPiece(level.cloth, gridLattice(20, 20, kSpacing, {0.0031 * layer, 0.0017 * layer}), *preset("silk"));
+    level.cloth.pieces.back().layer = layer;
+  }
+  level.state = standingBy(level.cloth, [&](std::size_t layer, Flat p) {
+    const double outer = 0.1 * p.u * p.u + 0.01 * std::sin(40 * p.v);
+    return Vec3{p.u, p.v, outer - (layer == 0 ? beneath(p) : layer == 1 ? 0.003 : 0)};
+  });
+  return level;
+}
+
+TEST(Lining, IsLaidBetweenLayersThatLieCloser) {
+  ClothLevel level = linedLayers([](Flat p) { return 0.003 + 0.002 * std::sin(60 * p.u); });
+  ASSERT_GT(check(level.cloth, level.state, nullptr).clothClothCrossings, 100u);
+  const std::vector<Vec3> before = level.state.position;
+  EXPECT_TRUE(layBetween(level.cloth, level.state.position));
+  EXPECT_EQ(check(level.cloth, level.state, nullptr).clothClothCrossings, 0u);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const bool lining = k / level.cloth.pieces[1].lattice->nodes.size() == 1;
+    if (!lining) {
+      EXPECT_EQ(level.state.position[k], before[k]);
+    }
+  }
+  const std::vector<Vec3> laid = level.state.position;
+  EXPECT_FALSE(layBetween(level.cloth, level.state.position)) << "it goes through nothing any more";
+  EXPECT_EQ(level.state.position, laid);
+}
+
+TEST(Lining, StaysWhereThereIsRoomForIt) {
+  ClothLevel level = linedLayers([](Flat) { return 0.006; });
+  const std::vector<Vec3> before = level.state.position;
+  EXPECT_FALSE(layBetween(level.cloth, level.state.position));
+  EXPECT_EQ(level.state.position, before);
 }
 
 }  // namespace
