@@ -175,14 +175,19 @@ double FigureSolver::solve(const Evaluate& evaluate, int rounds, double enough, 
   };
   auto measured = evaluateOne(at_);
   std::vector<double> residual = measured ? residualVector(*measured) : std::vector<double>();
-  if (residual.empty()) return 1e9;
+  if (residual.empty()) return kNotMeasured;
   std::vector<double> best = at_;
   double least = worst(residual), damping = 0.1;
   int idle = 0;
+  std::optional<int> differencesHere;  // the round in which they were measured at at_
   for (int round = 1; round < rounds && least > enough; ++round) {
+    if (differences > 0 && idle >= 2 && differencesHere)  // the same steps would follow, once for each that is left
+      if (const int later = round + differences * (round - *differencesHere); later < rounds)
+        round = later, differences = 0;
     if (differences > 0 && idle >= 2) {
       if (!differenceJacobian(evaluate, at_, residual)) break;
       --differences, idle = 0, damping = 0.1;
+      differencesHere = round;
     }
     const std::vector<double> way = dampedStep(at_, residual, damping);
     if (norm(way) < kNoise) {  // no shorter step helps
@@ -205,6 +210,7 @@ double FigureSolver::solve(const Evaluate& evaluate, int rounds, double enough, 
     idle = norm(now) < 0.8 * norm(residual) ? 0 : idle + 1;
     if (norm(now) < 1.02 * norm(residual)) {
       at_ = next, residual = now, damping *= 0.4;
+      differencesHere.reset();
     } else {
       damping = 4 * damping + 0.2;
     }

@@ -40,6 +40,8 @@ struct Derivative {
   double value;
 };
 
+inline constexpr double kNotMeasured = 1e9;  // for a residual: the tape could not be taken
+
 class FigureSolver {
  public:
   // Makes the figure altered in each of these ways and measures it; nothing where no body can be measured. Each by
@@ -50,7 +52,7 @@ class FigureSolver {
 
   const std::vector<Target>& targets() const { return targets_; }
   // At most `rounds` steps; stops as soon as the worst residual is below `enough`. `differences`: how often the
-  // Jacobian may be measured when no step helps. Says the worst residual reached (1e9: nothing could be measured), and
+  // Jacobian may be measured when no step helps. Says the worst residual reached, or kNotMeasured, and
   // keeps the best alteration. May be called again, to go on from there.
   double solve(const Evaluate& evaluate, int rounds, double enough, int differences);
   const Alteration& alteration() const { return best_; }

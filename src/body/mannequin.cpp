@@ -23,6 +23,7 @@ constexpr double kTriangles = 36000;              // at about this many a body i
 constexpr int kCoarseRounds = 30, kFineRounds = 10;
 constexpr double kNear = 0.6, kGood = 0.4;  // worst residuals, in tolerances, at which the solver may stop
 constexpr double kHopeless = 6;             // and at which a finer grid, which moves the tape by 1 or 2, cannot help
+constexpr double kHopelessOnAnyGrid = 12;   // of 140 random figures none that could be made was further off
 constexpr std::string_view kOffForm[] = {"crotch", "elbow", "wrist", "knee", "ankle"};  // landmarks a dress form lacks
 constexpr double kClearOfTrunk = 0.08;  // metres that shoulders are wider at first, for a stout figure's arms
 constexpr double kWaistOfBelly = 0.97;  // of the hip: a waist as wide is likely a belly's
@@ -281,7 +282,7 @@ class FigureFit {
 
   Done onCoarseGrid(Unmet& unmet) {
     far_ = solve(kCoarseRounds, kNear, 3);
-    if (far_ > kHopeless && !making_.token.cancelled()) {
+    if (far_ > kHopeless && (far_ < kHopelessOnAnyGrid || far_ == kNotMeasured) && !making_.token.cancelled()) {
       shift_ = kShifts[1];  // where arms lie at the trunk the tape jumps: from there on another grid
       far_ = solve(kCoarseRounds, kNear, 3);
       shift_ = 0;
