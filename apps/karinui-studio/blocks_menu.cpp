@@ -2,6 +2,7 @@
 
 #include <QMenu>
 
+#include "karinui/design/block_numbers.h"
 #include "karinui/design/glossary.h"
 #include "theme.h"
 
@@ -20,6 +21,8 @@ void fillBlocks(QMenu& menu, Session& session, std::function<void()> numbers) {
     QObject::connect(action, &QAction::triggered, &menu, [&session, kind = kind] {
       DraftBlock block;
       block.kind = kind;
+      block = wornOver(session.snapshot().document, std::move(block));
+      if (!block.prefix.empty()) session.advise(wornOverSaid(block));
       session.perform(std::move(block));
     });
   }

@@ -136,8 +136,10 @@ Result<std::shared_ptr<const Piece>> tried(const Session& session, Operation ope
   const auto* scan = std::get_if<LayUnderlay>(&*plain);
   if (scan && !scan->corners.empty()) return std::shared_ptr<const Piece>();
   if (const auto* block = std::get_if<DraftBlock>(&*plain)) {
-    const Done can = checkNumbers(*block);
-    return can ? Result(std::shared_ptr<const Piece>()) : can.error();
+    if (const Done can = checkNumbers(*block); !can) return can.error();
+    if (const std::string taken = takenBy(before, *block); !taken.empty())
+      return refused(say("There is a piece called “{0}” already; put another word before the names.", nameSaid(taken)));
+    return std::shared_ptr<const Piece>();
   }
   if (std::holds_alternative<AttachPiece>(*plain)) {  // no piece is new
     const auto meant = resolved(before, *std::move(plain), context);
@@ -321,14 +323,22 @@ void StepDialog::fitToKind() {
   }
 }
 
+// Whether a number that the dialog opened with gives way to what was typed since.
+bool StepDialog::givesWay(std::string_view name) const {
+  const std::vector<FieldText> known = fieldTexts(opened_);
+  const auto own = std::find_if(known.begin(), known.end(), [&](const auto& field) { return field.name == name; });
+  if (own == known.end() || typed(name) != own->value) return false;
+  // As many as there is room for, where it is said how far they are apart.
+  if (std::holds_alternative<Fasten>(opened_)) return name == "count" && !typed("spacing").empty();
+  // The place is that of a single slash; several are spread over the edges.
+  const auto count = parseNumber(typed("count"));
+  return std::holds_alternative<SlashAndSpread>(opened_) && (name == "at" || name == "to_at") && count && *count > 1;
+}
+
 Result<Operation> StepDialog::wished() const {
-  // As many as there is room for, where it is said how far they are apart and their number was not touched.
-  const auto* fasten = std::get_if<Fasten>(&opened_);
-  const bool counted =
-      !fasten || !fasten->count || typed("spacing").empty() || typed("count") != std::to_string(*fasten->count);
   std::vector<FieldText> fields;
   for (const StepField& field : typed_)
-    if (std::string value = typed(field.name); !value.empty() && (counted || field.name != "count"))
+    if (std::string value = typed(field.name); !value.empty() && !givesWay(field.name))
       fields.push_back({field.name, std::move(value)});
   for (const FieldHelp& field : helpOf(opened_).fields) {
     const bool here =
@@ -336,17 +346,22 @@ Result<Operation> StepDialog::wished() const {
     if (field.needed && here && typed(field.name).empty())
       return badInput(say("“{0}” has to be filled in.", asLabel(fieldSaid(name_, field.name)).toStdString()));
   }
-  return parseOperation(lineOf(name_, fields));
+  auto wish = parseOperation(lineOf(name_, fields));
+  if (auto* block = wish ? std::get_if<DraftBlock>(&*wish) : nullptr) *block = wornOver(document_, *block);
+  return wish;
 }
 
 void StepDialog::show(const Result<Operation>& wish) {
   const Result<std::shared_ptr<const Piece>> piece =
       wish ? tried(session_, *wish) : Result<std::shared_ptr<const Piece>>(wish.error());
   make_->setEnabled(static_cast<bool>(piece));
-  said_->setText(piece ? QString() : inWords(piece.error().what));
+  const auto* block = piece ? std::get_if<DraftBlock>(&*wish) : nullptr;
+  const bool over = block && typed("prefix").empty() && !block->prefix.empty();
+  said_->setText(!piece ? inWords(piece.error().what) : over ? inWords(wornOverSaid(*block)) : QString());
   drawing_->show(piece ? *piece : nullptr);
   drawing_->setVisible(drawnOnPaper(name_) || (piece && *piece));
-  if (!piece && isVisible()) QTimer::singleShot(0, this, [this] { takeRoom(); });  // what is told hides no field
+  if (!said_->text().isEmpty() && isVisible())
+    QTimer::singleShot(0, this, [this] { takeRoom(); });  // what is told hides no field
 }
 
 void StepDialog::perform() {

@@ -29,6 +29,7 @@ class StepDialog : public QDialog {
   void fill(const Operation& operation);
   std::string typed(std::string_view field) const;  // empty: nothing, or it is not of this kind
   void fitToKind();                                 // asks what the chosen kind has
+  bool givesWay(std::string_view field) const;
   Result<Operation> wished() const;
   void show(const Result<Operation>& wish);
   void takeRoom();  // all it asks for, where the screen has that

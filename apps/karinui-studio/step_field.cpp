@@ -239,7 +239,14 @@ QComboBox* choices(const Document& document, std::string_view operation, const F
     box->addItem(inWords(valueSaid(document, operation, field, script.toStdString())), script);
   };
   const std::string now = value.empty() ? field.usual : value;
-  if (field.usual.empty() && !field.needed) box->addItem("–", QString());
+  // Pieces that are drafted or drawn are of a fabric also where none is said.
+  const bool drawn = operation == DraftBlock::kName || operation == DrawRectangle::kName ||
+                     operation == DrawPolygon::kName || operation == DrawRing::kName;
+  if (field.usual.empty() && !field.needed)
+    box->addItem(field.name == "fabric" && drawn
+                     ? inWords(say("as usual: {0}", valueSaid(document, operation, field, Piece().fabric)))
+                     : "–",
+                 QString());
   if (field.kind.find('|') != std::string::npos) {
     for (const QString& script : QString::fromStdString(field.kind).split('|')) add(script);
   } else if (field.name == "size") {

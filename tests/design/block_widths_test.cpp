@@ -1,8 +1,9 @@
-// How wide the legs of trousers are drafted, and a skirt that is sewn to a bodice.
+// How wide the legs of trousers are drafted, a skirt that is sewn to a bodice, and blocks over one another.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "design/workroom.h"
+#include "karinui/design/block_numbers.h"
 #include "karinui/pattern/seam_walk.h"
 #include "karinui/pattern/truing.h"
 
@@ -178,6 +179,43 @@ TEST(TrousersBlock, MeetTheBodiceAtTheWaist) {
       alone);
   const double stretched = waist(drafted("block kind=leggings"), "leg_front_left");
   EXPECT_EQ(waist(drafted("block kind=bodice\nblock kind=leggings"), "leg_front_left"), stretched);
+}
+
+// What is drafted once more is worn over what is there: by other names, a layer higher, off cloth that was draped.
+TEST(Blocks, OneThatIsThereAlreadyIsWornOverIt) {
+  using Kind = DraftBlock::Kind;
+  const std::pair<Kind, const char*> kinds[] = {{Kind::Shirt, "shirt"},       {Kind::Bodice, "bodice"},
+                                                {Kind::Sleeve, "sleeve"},     {Kind::Skirt, "skirt"},
+                                                {Kind::Trousers, "trousers"}, {Kind::Leggings, "leggings"}};
+  Context& context = draftingRoom().context;
+  for (const auto& [kind, name] : kinds) {
+    SCOPED_TRACE(name);
+    Document document = drafted(std::string("block kind=") + name + "\n");
+    for (const auto& [id, piece] : document.pattern.pieces) {  // each is known
+      Document alone = document;
+      std::erase_if(alone.pattern.pieces, [own = id](const auto& held) { return held.first != own; });
+      DraftBlock again;
+      again.kind = kind;
+      EXPECT_EQ(takenBy(alone, again), piece->name);
+    }
+    const std::size_t pieces = document.pattern.pieces.size();
+    for (int layer = 1; layer <= 2; ++layer) {
+      DraftBlock over;
+      over.kind = kind;
+      over = wornOver(document, over);
+      EXPECT_EQ(over.layer, layer);
+      EXPECT_EQ(takenBy(document, over), "");
+      auto next = apply(document, over, context);
+      ASSERT_TRUE(next) << text(next.error().what);
+      document = *std::move(next);
+      EXPECT_EQ(document.pattern.pieces.size(), (layer + 1) * pieces);
+    }
+  }
+  DraftBlock skirt;
+  skirt.kind = Kind::Skirt;
+  EXPECT_EQ(wornOver(drafted("block kind=trousers\n"), skirt), skirt) << "it is not there";
+  skirt.prefix = "my";
+  EXPECT_EQ(wornOver(drafted("block kind=skirt\n"), skirt), skirt) << "it says how it is called";
 }
 
 }  // namespace

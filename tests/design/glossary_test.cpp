@@ -118,6 +118,8 @@ TEST(Glossary, NamesTheProgramMadeUpAreSaidAsATailorSaysThem) {
       {"skirt_side_left", "left side of skirt", "スカートの左脇"},
       {"top_front_left", "left front of top", "トップスの左前身頃"},
       {"top_sleeve_right", "right sleeve of top", "トップスの右袖"},
+      {"outer_skirt_front", "front skirt of outer layer", "外側の服の前スカート"},
+      {"outer2_leg_back_left", "left back trouser leg of outer layer 2", "外側の服 2の左後ろ脚部"},
       {"top_left", "left top edge", "左上端"},
       {"vest_front_left_lining", "lining of left front of vest", "ベストの左前身頃の裏地"},
       {"pocket_left_low_right", "right lower edge of left pocket", "左ポケットの右下の辺"},

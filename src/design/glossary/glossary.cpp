@@ -143,11 +143,17 @@ bool isPlace(std::string_view part) {
   return isDigits(part) || std::find(kPlaces.begin(), kPlaces.end(), part) != kPlaces.end();
 }
 
-// What follows "top" where that is a garment, not an edge, as when a block's pieces are called so: "top_front_left".
-bool isOfATop(std::string_view part) {
-  static constexpr std::array<std::string_view, 8> kParts{"front", "back",  "sleeve", "collar",
-                                                          "cuff",  "stand", "pocket", "yoke"};
+// What follows "top" or "outer" where that is a garment, not an edge, as when a block's pieces are called so:
+// "top_front_left".
+bool isOfAGarment(std::string_view part) {
+  static constexpr std::array<std::string_view, 10> kParts{"front", "back",   "sleeve", "collar", "cuff",
+                                                           "stand", "pocket", "yoke",   "skirt",  "leg"};
   return std::find(kParts.begin(), kParts.end(), part) != kParts.end();
+}
+
+// "outer", "outer2"
+bool isOuter(std::string_view part) {
+  return part.starts_with("outer") && (part.size() == 5 || isDigits(part.substr(5)));
 }
 
 // A name the program made up, or that is made of words it knows; nothing: a person's own. What is named later belongs
@@ -180,9 +186,10 @@ std::optional<Message> ownNameSaid(std::string_view name) {
       mirrored = true;
     } else if (last && isDigits(part)) {
       last->stem.number += (last->stem.number.empty() ? "" : "-") + std::string(part);
-    } else if (!last && part == "top" && i + 1 < parts.size() && isOfATop(parts[i + 1])) {
+    } else if (!last && (part == "top" || isOuter(part)) && i + 1 < parts.size() && isOfAGarment(parts[i + 1])) {
       NamePart top;
-      top.stem = {say("top"), false, 1, {}};
+      top.stem = {part == "top" ? say("top") : say("outer layer"), false, 1,
+                  std::string(part.substr(part == "top" ? 3 : 5))};
       top.side = first;
       top.garment = true;
       all.push_back(std::move(top));
