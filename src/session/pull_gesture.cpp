@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "karinui/base/number.h"
+#include "karinui/pattern/seam_walk.h"
 #include "karinui/session/touch_scene_of.h"
 #include "session/gestures.h"
 
@@ -11,6 +12,56 @@ namespace karinui {
 namespace {
 
 constexpr double kLeastPull = 0.003;  // metres: less is a click
+constexpr double kInside = 0.001;     // metres from an edge that was pointed at from beside the cloth
+
+// Where the hand takes hold: of the cloth under it or, a little beside the cloth, of the edge within its reach.
+struct Hold {
+  PieceId piece;
+  Flat at;
+  Vec3 point;
+};
+std::optional<Hold> holdAt(const Hit& hit, const GestureContext& context) {
+  if (hit.on == Hit::On::Cloth) return Hold{hit.piece, tenth(hit.paper), hit.point};
+  if (!hit.edge) return std::nullopt;
+  const Piece* piece = context.snapshot->document.find(hit.edge->piece);
+  const Edge* edge = piece ? findEdge(*piece, hit.edge->edge) : nullptr;
+  if (!edge) return std::nullopt;
+  const Curve& curve = edge->curve;
+  const double t = curve.parameterAt(hit.edge->fraction * curve.length());
+  const Flat at = tenth(curve.at(t) + leftOf(normalized(curve.tangent(t))) * kInside);
+  const auto point = spaceOf(*context.snapshot, piece->id, at);
+  return point ? std::optional(Hold{piece->id, at, *point}) : std::nullopt;
+}
+
+// The places of the paper that lie where `at` does once the piece's own seams are sewn, as beyond the underarm of a
+// sleeve: its paper goes on there beyond the other edge. Those nearer than `within`.
+std::vector<Flat> beyondOwnSeams(const Document& document, PieceId id, Flat at, double within) {
+  constexpr int kParts = 200;     // of an edge, looked at for the nearest place
+  constexpr double kOne = 0.002;  // metres: places nearer than this are one
+  std::vector<Flat> all;
+  const Piece& piece = *document.find(id);
+  for (const Edge& edge : piece.outline.edges) {
+    double nearest = within, fraction = -1;
+    for (int k = 0; k <= kParts; ++k)
+      if (const double away = distance(edge.curve.atFraction(double(k) / kParts), at); away < nearest)
+        nearest = away, fraction = double(k) / kParts;
+    if (fraction < 0) continue;
+    for (const SeamPlace& other : sewnTo(document.pattern, {id, edge.name, fraction})) {
+      const Edge* partner = other.piece == id ? findEdge(piece, other.edge) : nullptr;
+      if (!partner) continue;
+      const auto along = [](const Curve& curve, double share) {
+        return normalized(curve.tangent(curve.parameterAt(share * curve.length())));
+      };
+      const Flat from = edge.curve.atFraction(fraction), own = along(edge.curve, fraction), off = at - from;
+      const Flat theirs = along(partner->curve, other.fraction) * -1;  // outlines meet in a seam running opposite ways
+      const Flat there = tenth(partner->curve.atFraction(other.fraction) + theirs * dot(off, own) +
+                               leftOf(theirs) * dot(off, leftOf(own)));
+      const auto known = [&](Flat one) { return distance(one, there) < kOne; };
+      if (distance(there, at) >= kOne && std::none_of(all.begin(), all.end(), known)) all.push_back(there);
+    }
+  }
+  return all;
+}
 
 class HandOnCloth : public Gesture {
  public:
@@ -21,20 +72,22 @@ class HandOnCloth : public Gesture {
     }
     switch (sample.phase) {
       case PointerSample::Phase::Hover:
-        hover_ = hit.on == Hit::On::Cloth ? std::optional(hit.point) : std::nullopt;
+        hover_.reset();
+        if (const auto hold = holdAt(hit, context)) hover_ = hold->point;
         return {};
       case PointerSample::Phase::Press: {
-        if (hit.on != Hit::On::Cloth) return {.why = say("Take hold of the cloth on the body.")};
-        if (const Piece* piece = context.snapshot->document.find(hit.piece); piece && piece->frozen && !mayBeFrozen())
+        const auto hold = holdAt(hit, context);
+        if (!hold) return {.why = say("Take hold of the cloth on the body.")};
+        if (const Piece* piece = context.snapshot->document.find(hold->piece); piece && piece->frozen && !mayBeFrozen())
           return {.why = say("“{0}” is frozen; thaw it first.", piece->name)};
-        held_ = hit.piece;
-        at_ = tenth(hit.paper);
-        start_ = hit.point;
+        held_ = hold->piece;
+        at_ = hold->at;
+        start_ = hold->point;
         grip_ = handAt(sample, start_);
         path_ = {Vec3{}};
         began_ = sample.seconds;
         hover_.reset();
-        took();
+        took(context);
         return {};
       }
       case PointerSample::Phase::Drag:
@@ -70,7 +123,7 @@ class HandOnCloth : public Gesture {
  protected:
   virtual bool mayBeFrozen() const { return false; }
   virtual bool goesOn() const { return false; }  // while the hand is still, too
-  virtual void took() {}
+  virtual void took(const GestureContext& context) = 0;
   virtual PreviewRequest request() const = 0;
   virtual Operation operation(double seconds) const = 0;
   virtual Message words() const = 0;
@@ -113,7 +166,7 @@ class PullGesture : public HandOnCloth {
     }
     if (force_) shown.space.words.push_back({hand, fixed(newtons, 2) + " N"});
   }
-  void took() override { force_.reset(), why_.reset(); }
+  void took(const GestureContext&) override { force_.reset(), why_.reset(); }
   bool goesOn() const override { return true; }  // the cloth comes to rest, and pulls less
   PreviewRequest request() const override { return PullPreview{held_, at_, by()}; }
   Operation operation(double seconds) const override {
@@ -156,7 +209,10 @@ class ReshapeGesture : public HandOnCloth {
       if (const Piece* piece = after_->document.find(held_)) shown.outlines[held_] = piece->outline;
   }
   bool mayBeFrozen() const override { return true; }
-  void took() override { after_.reset(), why_.reset(); }
+  void took(const GestureContext& context) override {
+    after_.reset(), why_.reset();
+    beyond_ = beyondOwnSeams(context.snapshot->document, held_, at_, ReshapePiece().within);
+  }
   PreviewRequest request() const override { return OperationPreview{reshape()}; }
   Operation operation(double) const override { return reshape(); }
   Message words() const override { return why_ ? *why_ : info(Command::Reshape).hint; }
@@ -166,9 +222,11 @@ class ReshapeGesture : public HandOnCloth {
     ReshapePiece op;
     op.piece = held_;
     op.at = {at_};
-    op.by = {by()};
+    op.at.insert(op.at.end(), beyond_.begin(), beyond_.end());
+    op.by.assign(op.at.size(), by());
     return op;
   }
+  std::vector<Flat> beyond_;
   SnapshotPtr after_;
   std::optional<Message> why_;
 };

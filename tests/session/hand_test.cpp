@@ -65,5 +65,57 @@ TEST(SessionHand, APieceCarriedOnTheTableGoesBackWhenItIsDropped) {
   }
 }
 
+// A sleeve is sewn to itself under the arm: pulled there, the cloth on the other side of the seam comes along, and both
+// edges are as long afterwards.
+TEST(SessionHand, APullBesideAPiecesOwnSeamComesOverTheSeam) {
+  Session session;
+  const auto lines = parseScript(
+      "piece name=sleeve outline=\"M 0 0; hem L 300 0; under_front L 310 300; cap L -10 310; under_back L 0 0\"\n"
+      "sew a=sleeve.under_front b=sleeve.under_back");
+  for (const ScriptLine& line : *lines) session.perform(line.operation);
+  session.finish();
+  const auto edge = [&](const char* name) {
+    return findEdge(*session.snapshot().document.pieceNamed("sleeve"), name)->curve;
+  };
+  const double front = edge("under_front").length(), back = edge("under_back").length();
+  session.command(Command::Reshape);
+  PointerSample hand;
+  hand.ray = {{0.28, 0.01, 2}, {0, 0, -1}};
+  hand.reach = 0.005;
+  const auto feed = [&](PointerSample::Phase phase, double down) {
+    hand.phase = phase;
+    hand.ray.origin.y -= down;
+    session.feed(hand);
+  };
+  feed(PointerSample::Phase::Press, 0);
+  feed(PointerSample::Phase::Drag, 0.02);
+  feed(PointerSample::Phase::Drag, 0.02);
+  feed(PointerSample::Phase::Release, 0);
+  session.finish();
+  const double longer = edge("under_front").length() - front;
+  EXPECT_GT(longer, 0.015);
+  EXPECT_NEAR(edge("under_back").length() - back, longer, 0.002);
+}
+
+// A hand that means an edge is as often a little beside the cloth as on it.
+TEST(SessionHand, AnEdgeIsTakenHoldOfFromBesideTheCloth) {
+  for (const double beside : {0.004, 0.3}) {
+    Session session;
+    giveTwoPieces(session);
+    const std::size_t steps = session.steps().size();
+    session.command(Command::Reshape);
+    PointerSample hand;
+    hand.ray = {{0.2, -beside, 2}, {0, 0, -1}};
+    hand.reach = 0.005;
+    for (const auto phase : {PointerSample::Phase::Press, PointerSample::Phase::Drag, PointerSample::Phase::Release}) {
+      hand.phase = phase;
+      session.feed(hand);
+      hand.ray.origin.y -= phase == PointerSample::Phase::Press ? 0.03 : 0;
+    }
+    session.finish();
+    EXPECT_EQ(session.steps().size(), steps + (beside < 0.01 ? 1 : 0)) << beside;
+  }
+}
+
 }  // namespace
 }  // namespace karinui
