@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cut_apart.h"
 #include "fastening_offers.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/sewing.h"
@@ -155,6 +156,18 @@ std::vector<Strength> strengthsOf(const Document& document, const std::vector<Ed
     }
   }
   return all;
+}
+
+// Of an edge that leads over the middle of a symmetric piece the part on that half in which the other edge lies:
+// several slashes all over it would lead across the middle, and leave the piece no longer symmetric.
+EdgeRef keptToHalf(const Piece& piece, EdgeRef whole, const Curve& other) {
+  const auto symmetry = symmetryOf(piece.outline);
+  const auto k = piece.outline.find(whole.edge);
+  const Flat there = other.atFraction(0.5);
+  if (!symmetry || !k || symmetry->partner[*k] != *k || distance(symmetry->image(there), there) < 1e-4) return whole;
+  const Flat end = piece.outline.edges[*k].curve.end;
+  (distance(end, there) < distance(symmetry->image(end), there) ? whole.from : whole.to) = 0.5;
+  return whole;
 }
 
 }  // namespace
@@ -430,6 +443,8 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
     offer(menu, say("Redraw as a fair line"), FairEdges{all});
     return addRunOperations(menu, ref, all);
   }
+  if (const auto again = sewnAgain(session_->snapshot().document, ref))
+    offer(menu, say("Sew it to {0} again", edgeSaid(session_->snapshot().document, again->b.front())), *again);
   offer(menu, say("Point there"), SplitEdge{ref, share});
   offer(menu, say("Take its end away"), JoinEdges{ref});
   if (curve.kind != Curve::Kind::Line) {
@@ -505,16 +520,17 @@ void MainWindow::addSpreads(QMenu& menu, const EdgeNear& near, double share, con
   const Document& document = session_->snapshot().document;
   const Piece* piece = document.find(near.piece);
   const Edge* other = piece ? findEdge(*piece, led.edge) : nullptr;
-  if (!other) return;
+  const Edge* edge = piece ? findEdge(*piece, near.edge) : nullptr;
+  if (!other || !edge) return;
   SlashAndSpread spread;
-  spread.from = {PieceRef(near.piece), near.edge}, spread.at = share;
-  spread.to = {PieceRef(near.piece), led.edge};
+  spread.from = keptToHalf(*piece, {PieceRef(near.piece), near.edge}, other->curve), spread.at = share;
+  spread.to = keptToHalf(*piece, {PieceRef(near.piece), led.edge}, edge->curve);
   spread.toAt = toMillimetre(led.fraction, other->curve.length());
-  offer(menu, say("Slash to {0} and spread or fold out…", edgeSaid(document, spread.to)),
+  offer(menu, say("Slash to {0} and spread or fold out…", edgeSaid(document, {spread.to.piece, led.edge})),
         [this, spread] { askNumbers(spread); });
   AddPleat pleat;  // soft below where it is sewn, as of a peg-top skirt
-  pleat.edge = spread.from, pleat.at = share, pleat.hold = 0;
-  pleat.to = spread.to, pleat.toAt = spread.toAt;
+  pleat.edge = {spread.from.piece, near.edge}, pleat.at = share, pleat.hold = 0;
+  pleat.to = {spread.to.piece, led.edge}, pleat.toAt = spread.toAt;
   offer(menu, say("Pleat that runs out at {0}…", edgeSaid(document, pleat.to)), [this, pleat] { askNumbers(pleat); });
 }
 

@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include <QTreeWidget>
 #include <numbers>
 
+#include "karinui/pattern/symmetry.h"
 #include "menu_letters.h"
 #include "studio/window.h"
 
@@ -555,6 +557,69 @@ TEST(StudioMenus, WhatIsSwitchedOnIsTicked) {
   w.main().findChild<QAction*>("map_strain")->trigger();
   EXPECT_EQ(w.space().map(), FitMap::None);
   EXPECT_EQ(ticked(), "000");
+}
+
+// From an edge over the middle to one that is only half: on both halves alike. How many is typed without taking the
+// place away that was clicked, which is that of a single slash.
+TEST(StudioMenus, SeveralSlashesKeepAPieceSymmetric) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.session().perform(*parseOperation(
+      "piece name=back outline=\"M -200 0; hem_right L 0 0; hem_left L 200 0; side_left L 180 300; top L -180 300; "
+      "side_right L -200 0\""));
+  w.rest();
+  w.table().showAll();
+  w.rest();
+  w.key(Command::Select);
+  const Piece before = *w.session().snapshot().document.pieceNamed("back");
+  const auto on = [&](const char* edge, double share) {
+    return w.onTable("back", findEdge(before, edge)->curve.atFraction(share));
+  };
+  w.click(w.table(), on("hem_left", 0.5));
+  w.rest();
+  rightClick(w, w.table(), on("top", 0.3));
+  chooseEntry(w, "Slash to left hem of back and spread or fold out…");
+  auto* numbers = w.main().findChild<QDialog*>("step_dialog");
+  ASSERT_TRUE(numbers);
+  auto& count = *numbers->findChild<QLineEdit*>("count");
+  count.selectAll();
+  QTest::keyClicks(&count, "2");
+  EXPECT_EQ(numbers->findChild<QLabel*>("said")->text().toStdString(), "");
+  QTest::mouseClick(numbers->findChild<QPushButton*>("make"), Qt::LeftButton);
+  w.rest();
+  const Piece& after = *w.session().snapshot().document.pieceNamed("back");
+  EXPECT_TRUE(symmetryOf(after.outline));
+  EXPECT_NEAR(findEdge(after, "top")->curve.length(), 0.36 + 4 * 0.03, 0.01) << "two on either half";
+}
+
+// What a cut parted is sewn again from its menu, as a yoke is; on the other half of the garment, too.
+TEST(StudioMenus, WhatACutPartedIsSewnAgain) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  for (const char* line :
+       {"piece name=front_left outline=\"M 0 0; hem L 300 0; side L 300 400; top L 0 400; centre L 0 0\"",
+        "mirror piece=front_left", "cut piece=front_left line=\"-3cm,25cm; 15cm,30cm; 33cm,30cm\" copies=yes"})
+    w.session().perform(*parseOperation(line)), w.rest();
+  ASSERT_EQ(w.session().snapshot().document.pattern.pieces.size(), 4u) << w.main().said().toStdString();
+  w.table().showAll();
+  w.rest();
+  w.key(Command::Select);
+  const Piece lower = *w.session().snapshot().document.pieceNamed("front_left");
+  rightClick(w, w.table(), w.onTable("front_left", findEdge(lower, "cut")->curve.atFraction(0.5)));
+  const auto words = offered();
+  const auto again =
+      std::find_if(words.begin(), words.end(), [](const auto& one) { return one.starts_with("Sew it"); });
+  ASSERT_NE(again, words.end()) << testing::PrintToString(words);
+  chooseEntry(w, again->c_str());
+  const auto& seams = w.session().snapshot().document.pattern.seams;
+  ASSERT_EQ(seams.size(), 2u) << w.main().said().toStdString();
+  for (const auto& [id, seam] : seams) {
+    EXPECT_EQ(seam.a.size(), 2u) << "the whole cut, over its corner";
+    EXPECT_NEAR(lengthMismatch(w.session().snapshot().document.pattern, seam), 0, 1e-6);
+  }
+  rightClick(w, w.table(), w.onTable("front_left", findEdge(lower, "hem")->curve.atFraction(0.5)));
+  EXPECT_THAT(offered(), Not(Contains(StartsWith("Sew it")))) << "no cut parted the hem";
+  contextMenu()->close();
 }
 
 }  // namespace
