@@ -219,7 +219,10 @@ const EdgeSpan* dartCalledBy(const Document& document, const Seam& seam) {
     const std::size_t end = name.find_last_not_of("0123456789");
     return name.substr(0, end != std::string::npos && name[end] == '_' ? end : name.size());
   };
-  return stem(seam.a[0].edge) == stem(seam.b[0].edge) ? &seam.a[0] : nullptr;
+  const auto &a = seam.a[0], &b = seam.b[0];
+  if (stem(a.edge) != stem(b.edge)) return nullptr;
+  // On a symmetric copy the legs come the other way round: the first by number, or its one dart is called “dart 2”.
+  return std::pair(b.edge.size(), b.edge) < std::pair(a.edge.size(), a.edge) ? &b : &a;
 }
 
 }  // namespace

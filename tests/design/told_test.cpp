@@ -184,5 +184,26 @@ TEST(Told, AStrapThatBeginsBesideAnArmIsTold) {
   EXPECT_THAT(toldOf(dungarees + strap + " over=line:shoulder_left@0.4\n"), Not(Contains(beside)));
 }
 
+// A dart takes up cloth of its edge: what that is sewn to is longer by as much now.
+TEST(Told, ADartInASewnEdgeTellsWhatTheOtherSideHasToSpare) {
+  EXPECT_THAT(toldOf(std::string(kTwo) + "sew a=front.side_left b=back.side_left\n"
+                                         "dart edge=front.side_left at=0.5 width=2cm tip=\"25cm,25cm\" symmetric=no\n"),
+              Contains(AllOf(HasSubstr("back.side_left is 20.0 mm longer"), HasSubstr("front.side_left"))));
+}
+
+// The legs of a dart come the other way round on a symmetric copy; each piece has one dart, and no second.
+TEST(Told, TheDartOfASymmetricCopyIsCalledAsThatOfItsPiece) {
+  Workroom room;
+  DocumentFile file = DocumentFile::inMemory();
+  ASSERT_TRUE(
+      room.play(file,
+                "piece name=front_left outline=\"M 0 0; hem L 300 0; side L 320 400; top L 0 400; centre L 0 0\"\n"
+                "mirror piece=front_left\n"
+                "dart edge=front_left.side at=0.5 width=2cm tip=\"15cm,20cm\"\n"));
+  std::vector<std::string> said;
+  for (const auto& [id, seam] : file.document().pattern.seams) said.push_back(text(seamSaid(file.document(), seam)));
+  EXPECT_THAT(said, testing::UnorderedElementsAre("dart of left front", "dart of right front"));
+}
+
 }  // namespace
 }  // namespace karinui

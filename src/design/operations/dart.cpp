@@ -40,6 +40,22 @@ Result<Document> darted(const Document& before, const AddDart& op, const Dart& d
   return after;
 }
 
+Result<Document> dartedOnHalves(const Document& before, const AddDart& op) {
+  const Piece& piece = *before.find(op.edge.piece.id);
+  EdgeMap map;
+  std::uint32_t seams = 0;
+  auto after = darted(before, op, {op.edge.edge, op.at, op.tip}, map, seams);
+  if (!after || op.symmetric != Choice::Yes) return after;
+  const auto symmetry = symmetryOf(piece.outline);
+  const auto image = imageOf(piece.outline, *symmetry, {*piece.outline.find(op.edge.edge), op.at});
+  const std::string& other = piece.outline.edges[image->edge].name;
+  const Flat tip = symmetry->image(op.tip);
+  if (other == op.edge.edge && std::fabs(op.at - 0.5) < 1e-6 && distance(tip, op.tip) < 1e-6) return after;
+  const auto there = placeNow(map, piece.id, other, image->at);
+  if (!there) return refused(say("The darts of both halves would meet; write symmetric=no for one alone."));
+  return darted(*after, op, {there->first, there->second, tip}, map, seams);
+}
+
 }  // namespace
 
 Done resolve(const Document& before, AddDart& op, Context& context) {
@@ -54,20 +70,10 @@ Done resolve(const Document& before, AddDart& op, Context& context) {
   });
 }
 
-Result<Document> perform(const Document& before, const AddDart& op, Context&) {
-  const Piece& piece = *before.find(op.edge.piece.id);
-  EdgeMap map;
-  std::uint32_t seams = 0;
-  auto after = darted(before, op, {op.edge.edge, op.at, op.tip}, map, seams);
-  if (!after || op.symmetric != Choice::Yes) return after;
-  const auto symmetry = symmetryOf(piece.outline);
-  const auto image = imageOf(piece.outline, *symmetry, {*piece.outline.find(op.edge.edge), op.at});
-  const std::string& other = piece.outline.edges[image->edge].name;
-  const Flat tip = symmetry->image(op.tip);
-  if (other == op.edge.edge && std::fabs(op.at - 0.5) < 1e-6 && distance(tip, op.tip) < 1e-6) return after;
-  const auto there = placeNow(map, piece.id, other, image->at);
-  if (!there) return refused(say("The darts of both halves would meet; write symmetric=no for one alone."));
-  return darted(*after, op, {there->first, there->second, tip}, map, seams);
+Result<Document> perform(const Document& before, const AddDart& op, Context& context) {
+  auto after = dartedOnHalves(before, op);
+  if (after) tellMisfits(before, *after, context);  // a sewn edge is shorter by what its dart takes up
+  return after;
 }
 
 }  // namespace karinui

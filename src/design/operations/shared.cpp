@@ -179,8 +179,9 @@ void tellSeams(const Document& before, const Document& after, const Context& con
   constexpr double kTold = 5e-5;  // metres: smaller changes are not spoken of
   if (!context.advise) return;
   for (const auto& [id, seam] : after.pattern.seams) {
-    const double was = lengthMismatch(before.pattern, before.pattern.seams.at(id)),
-                 is = lengthMismatch(after.pattern, seam);
+    const auto old = before.pattern.seams.find(id);
+    if (old == before.pattern.seams.end()) continue;  // new, as that of a dart
+    const double was = lengthMismatch(before.pattern, old->second), is = lengthMismatch(after.pattern, seam);
     if (std::fabs(is - was) < kTold) continue;
     const Message longer = longerSaid(after, refsOf(seam.a), refsOf(seam.b));
     const auto ease = after.eases.find(id);
@@ -195,8 +196,9 @@ void tellMisfits(const Document& before, const Document& after, const Context& c
   constexpr double kPlainly = 5e-3, kShare = 0.1;  // metres; of the shorter side
   if (!context.advise) return;
   for (const auto& [id, seam] : after.pattern.seams) {
-    const double was = lengthMismatch(before.pattern, before.pattern.seams.at(id)),
-                 is = lengthMismatch(after.pattern, seam);
+    const auto old = before.pattern.seams.find(id);
+    if (old == before.pattern.seams.end()) continue;  // new, as that of a dart
+    const double was = lengthMismatch(before.pattern, old->second), is = lengthMismatch(after.pattern, seam);
     if (seam.tie != Seam::Tie::OneToOne || std::fabs(is) <= std::fabs(was)) continue;
     const double shorter = std::fmin(length(after.pattern, seam.a), length(after.pattern, seam.b));
     if (std::fabs(is - was) >= std::fmin(kPlainly, kShare * shorter))
