@@ -27,6 +27,14 @@ Result<SnapshotPtr> worn(Result<Document> document, Context& context, const Prin
   return snapshotOf(*std::move(document), std::move(body), prints);
 }
 
+// What was done before a step brought the cloth to rest, by which a person knows it again.
+Message whatCameToRest(const std::vector<Step>& steps, std::size_t number) {
+  const auto drapes = [&](std::size_t k) { return std::holds_alternative<DrapePieces>(steps[k].operation); };
+  std::size_t k = number - 1;
+  while (k > 0 && drapes(k)) --k;
+  return *termSaid(Term::OperationName, nameOf(steps[k].operation));
+}
+
 Result<SnapshotPtr> variant(const GarmentSnapshot& now, const Operation& change, Bodies& bodies, const Token& token) {
   Workers workers(std::max(1, QThread::idealThreadCount() / 2));
   WornFigure figure(now.body);
@@ -83,7 +91,7 @@ std::vector<Beside::Choice> Beside::choices() const {
   std::size_t number = session_.steps().size();
   for (auto step = session_.steps().rbegin(); step != session_.steps().rend(); ++step, --number)
     if (std::holds_alternative<DrapePieces>(step->operation) || std::holds_alternative<PullCloth>(step->operation))
-      all.push_back({step->seq, say("after step {0}", number)});
+      all.push_back({step->seq, say("after step {0}: {1}", number, whatCameToRest(session_.steps(), number))});
   for (const Step& end : session_.otherBranches())
     all.push_back({end.seq, say("another way, {0} {0|step|steps}", static_cast<std::size_t>(end.serial))});
   for (const auto& more : {sizes(), fabrics()}) all.insert(all.end(), more.begin(), more.end());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "karinui/design/step_words.h"
+#include "karinui/pattern/likeness.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -96,7 +97,16 @@ void LengthChoice::refresh() {
   }));
   const bool more = partners_->isEnabled() && partners_->isChecked();
   both_->setVisible(!more);
-  both_->setText(inWords(session_.bothHalves() ? say("Both halves change.") : say("Only this edge changes.")));
+  const auto& pieces = session_.snapshot().document.pattern.pieces;
+  const bool both = session_.bothHalves(),
+             copy = std::any_of(pieces.begin(), pieces.end(), [&](const auto&held) {
+               const Piece& other = *held.second;
+               return (other.mirrorOf == own->id || own->mirrorOf == other.id) && edgeOnCopy(other, *own, chosen.edge);
+             });
+  both_->setText(
+      inWords(both   ? copy ? say("Both halves change, here and on the symmetric copy.") : say("Both halves change.")
+                : copy ? say("This edge changes, and that of the symmetric copy.")
+                     : say("Only this edge changes.")));
 }
 
 // The formula by which the edge got the length it has now, if it was one.

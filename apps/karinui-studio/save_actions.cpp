@@ -6,8 +6,10 @@
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrinter>
+#include <QProgressBar>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <algorithm>
 #include <cmath>
 
 #include "export_dialog.h"
@@ -19,6 +21,25 @@
 #include "theme.h"
 
 namespace karinui::studio {
+
+namespace {
+
+// How far something is that is written piece by piece, with a way to stop it.
+class WritingProgress : public QProgressDialog {
+ public:
+  WritingProgress(const Message& words, const Message& title, int whole, QWidget* parent)
+      : QProgressDialog(inWords(words), inWords(say("Stop")), 0, whole, parent) {
+    auto* bar = new QProgressBar(this);  // too thin for figures
+    bar->setTextVisible(false);
+    setBar(bar);
+    setRange(0, whole);
+    setMinimumWidth(320);
+    setWindowTitle(inWords(title));
+    setWindowModality(Qt::WindowModal);
+  }
+};
+
+}  // namespace
 
 void MainWindow::save() {
   const std::string path = session_->path().string();
@@ -106,15 +127,19 @@ void MainWindow::picture() {
 
 // In a folder of its own within the one that is chosen.
 void MainWindow::turntable(const PictureDialog& dialog) {
-  const QString where = QFileDialog::getExistingDirectory(this, inWords(say("Folder for the turntable")));
+  const QString beside = QFileInfo(freshPath(called(say("turntable")))).absolutePath();
+  const QString where = QFileDialog::getExistingDirectory(this, inWords(say("Folder for the turntable")), beside);
   if (where.isEmpty()) return;
   QString folder = QDir(where).filePath(called(say("turntable")));
   for (int k = 2; QDir(folder).exists(); ++k)
     folder = QDir(where).filePath(called(say("turntable")) + QString(" %1").arg(k));
-  QProgressDialog progress(inWords(say("Drawing the turntable")), inWords(say("Stop")), 0, dialog.frames(), this);
-  progress.setWindowTitle(inWords(say("Picture of the fitting")));
-  progress.setWindowModality(Qt::WindowModal);
+  const auto drawing = [&](int drawn) {
+    return say("Drawing the turntable: picture {0} of {1}", std::min(drawn + 1, dialog.frames()), dialog.frames());
+  };
+  WritingProgress progress(drawing(0), say("Picture of the fitting"), dialog.frames(), this);
+  progress.setObjectName("turntable_progress");
   const auto written = dialog.writeTurn(folder.toStdString(), [&](int drawn) {
+    progress.setLabelText(inWords(drawing(drawn)));
     progress.setValue(drawn);  // handles what is clicked meanwhile
     return !progress.wasCanceled();
   });
@@ -167,9 +192,7 @@ void MainWindow::printOn(QPrinter& printer, bool pairsOnce) {
     return tell({Notice::Kind::Said, say("{0} {0|page was|pages were} printed.", pages->count())});
   }
   constexpr int kWhole = 1000;
-  QProgressDialog progress(inWords(say("Printing the pattern")), inWords(say("Stop")), 0, kWhole, this);
-  progress.setWindowTitle(inWords(say("Print")));
-  progress.setWindowModality(Qt::WindowModal);
+  WritingProgress progress(say("Printing the pattern"), say("Print"), kWhole, this);
   const auto printed = printPages(*pages, printer, [&](double share) {
     progress.setValue(static_cast<int>(kWhole * share));  // handles what is clicked meanwhile
     return !progress.wasCanceled();

@@ -111,7 +111,8 @@ std::vector<FileFormat> allFormats() {
        .in = Content::Body,
        .out = Content::Garment,
        .label = say("Garment in 3D (GLB)"),
-       .about = say("The garment on the body in one file with its colours, for viewers and the web."),
+       .about = say("The garment on the body in one file with its colours, for viewers and the web. With poses: View, "
+                    "Fit in motion…"),
        .write = writeGlbOf},
       {.id = "obj",
        .endings = {"obj"},

@@ -60,6 +60,9 @@ TEST(StudioBeside, AnotherFabricIsDrapedBesideAndFollowsWhatIsDone) {
   chooseKind(w, "in Denim");
   ASSERT_TRUE(w.space().beside());
   const Beside& beside = besideOf(w);
+  std::vector<std::string> offered;
+  for (const Beside::Choice& one : beside.choices()) offered.push_back(text(one.words));
+  EXPECT_THAT(offered, testing::Contains("after step 9: Sew")) << "a step is known by what was done before";
   EXPECT_EQ(beside.fitting()->document.pieceNamed("front")->fabric, "denim");
   EXPECT_TRUE(beside.fitting()->document.drape.dirty.empty()) << "at rest in its fabric";
   EXPECT_NE(w.session().snapshot().document.pieceNamed("front")->fabric, "denim");

@@ -230,7 +230,9 @@ TEST(StudioTyped, WhatABlockCannotHaveIsSaidWhileItIsTyped) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.openTunic();
-  auto* dialog = new StepDialog(w.session(), DraftBlock{}, &w.main());
+  DraftBlock skirt;  // nothing is worn there
+  skirt.kind = DraftBlock::Kind::Skirt;
+  auto* dialog = new StepDialog(w.session(), skirt, &w.main());
   const auto check = [](QDialog& one) {
     auto& ease = *one.findChild<QLineEdit*>("ease");
     auto& make = *one.findChild<QPushButton*>("make");
@@ -595,6 +597,30 @@ TEST(StudioTyped, WhatIsHalfTypedStaysWhileStepsEnd) {
   w.type(*name, Qt::Key_Return);
   w.rest();
   EXPECT_TRUE(w.session().snapshot().document.pieceNamed("bodice")) << w.main().said().toStdString();
+}
+
+// What is typed for an edge whose piece has a symmetric copy is done there too, and is said so.
+TEST(StudioTyped, TheSymmetricCopyIsSaidToChangeToo) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  const char* const kOnly = "Only this edge changes.";
+  const auto says = [&](const char* words) {
+    const auto all = w.main().findChildren<QLabel*>();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const QLabel* one) { return one->isVisible() && one->text() == words; });
+  };
+  w.session().perform(*parseOperation(
+      "piece name=front_left outline=\"M 0 0; hem L 300 0; side L 320 400; top L 0 400; centre L 0 0\""));
+  w.rest();
+  chooseEdge(w, "front_left", "hem");
+  EXPECT_TRUE(says(kOnly));
+  w.session().perform(*parseOperation("mirror piece=front_left"));
+  w.rest();
+  chooseEdge(w, "front_left", "hem");
+  EXPECT_TRUE(says("This edge changes, and that of the symmetric copy."));
+  w.type(w.box("Length"), "33");
+  w.rest();
+  EXPECT_NEAR(findEdge(*w.session().snapshot().document.pieceNamed("front_right"), "hem")->curve.length(), 0.33, 1e-6);
 }
 
 }  // namespace
