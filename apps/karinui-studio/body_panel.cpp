@@ -59,10 +59,6 @@ BodyPanel::BodyPanel(Session& session, QWidget* in) : Panel(session, in) {
     sex_->addItem(inWords(say("child")));
     sex_->setCurrentIndex(std::max(0, was));
   });
-  imported_ = new QLabel;
-  imported_->setWordWrap(true);
-  imported_->hide();
-  form->addRow(imported_);
   letShrink(*size_), letShrink(*sex_);
   sex_->setMinimumContentsLength(5);  // the dress form stands beside it
   form->addRow(word(say("Size")), size_);
@@ -77,6 +73,10 @@ BodyPanel::BodyPanel(Session& session, QWidget* in) : Panel(session, in) {
   shape->addWidget(dressForm_);
   form->addRow(word(say("Shape")), shape);
   column->addLayout(form);
+  imported_ = new QLabel;  // no row of the form, which leaves a sentence that was hidden at first no height
+  imported_->setWordWrap(true);
+  imported_->hide();
+  column->addWidget(imported_);
   find_ = new QLineEdit;
   find_->setClearButtonEnabled(true);
   Theme::here().keep(find_, [this] {

@@ -250,6 +250,10 @@ TEST(StudioFigure, AnImportedBodyStaysUntilAMannequinIsAskedFor) {
   for (const QLabel* label : w.main().findChildren<QLabel*>())
     if (label->isVisible()) said += label->text().toStdString() + "\n";
   EXPECT_THAT(said, testing::HasSubstr("The imported body “client”"));
+  for (const QLabel* one : w.main().findChildren<QLabel*>()) {
+    if (!one->text().startsWith("The imported body")) continue;
+    EXPECT_GE(one->height(), one->heightForWidth(one->width())) << "its lines have room";
+  }
   EXPECT_THAT(said, testing::HasSubstr("It takes this body's place"));
   w.keep("studio_imported_body");
 
