@@ -98,8 +98,8 @@ std::string dxfOf(const Sheet& sheet) {
 
 // HP-GL (Hewlett-Packard 7475A manual): a unit is 0.025 mm; x runs along the roll, which is the sheet's length.
 std::string hpglOf(const Sheet& sheet) {
-  constexpr double kUnits = 40;  // in a millimetre
-  const auto unit = [](double mm) { return std::to_string(std::lround(mm * kUnits)); };
+  constexpr double kPerMillimetre = 40;  // units of the drawing
+  const auto unit = [](double mm) { return std::to_string(std::lround(mm * kPerMillimetre)); };
   const auto place = [&](Mm p) { return unit(p.y) + "," + unit(p.x); };
   std::string out = "IN;\nPS" + unit(sheet.height) + "," + unit(sheet.width) + ";\nSP1;\n";
   const SheetLine line = [&](SheetLayer, const std::vector<Mm>& points, bool closed) {

@@ -433,7 +433,8 @@ Result<Document> perform(const Document& before, const EraseMarks& op, Context&)
   for (const PieceId id : pieces) {
     Piece piece = *before.find(id);
     for (const auto& [on, line] : taken->lines)
-      if (on == id) std::erase_if(piece.lines, [&](const InternalLine& own) { return own.name == line.name; });
+      if (on == id)
+        std::erase_if(piece.lines, [&name = line.name](const InternalLine& own) { return own.name == name; });
     for (const auto& [on, mark] : marks)
       if (const auto at = std::find(piece.marks.begin(), piece.marks.end(), mark); on == id && at != piece.marks.end())
         piece.marks.erase(at);
