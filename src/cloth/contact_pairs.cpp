@@ -267,17 +267,13 @@ void ContactPairs::measure(const Candidate& candidate, const Search& search, std
   out.push_back(pair);
 }
 
-double ContactPairs::reachOf(const Search& search) const {
-  double most = 0;
-  for (Vec3 m : search.move) most = std::fmax(most, squaredLength(m));
-  return search.within + kEdgeReach * longest_ + 2 * kMoveReach * std::sqrt(most);
-}
-
 std::vector<ContactPair> ContactPairs::find(const Search& search, Workers& workers) {
-  if (kWornShare * worn_ > list_.pairs().size() || !list_.covers(search.x, reachOf(search))) {
+  const ApproachBound::Motion motion{search.x, search.move, kMoveReach};
+  const auto listed = [&] { return search.within + kEdgeReach * longest_; };
+  if (kWornShare * worn_ > list_.pairs().size() || !list_.covers(motion, listed())) {
     measureEdges(search.x);
     measureSides(search.x, workers);
-    list_.make(search.x, reachOf(search), workers);
+    list_.make(motion, listed(), workers);
     makeCandidates(search.x, workers);
     worn_ = 0;
   }

@@ -52,7 +52,6 @@ class ContactPairs {
     double between(NodeIndex a, NodeIndex b) const { return length(way[a] - way[b]) + spread[a] + spread[b]; }
     double most(std::size_t node) const { return length(way[node]) + spread[node]; }
   };
-  double reachOf(const Search& search) const;
   void makeCandidates(std::span<const Vec3> x, Workers& workers);
   void measureEdges(std::span<const Vec3> x);
   void measureNormals(std::span<const Vec3> x);

@@ -8,46 +8,8 @@ namespace {
 
 constexpr double kMargin = 0.7;           // spacings by which the list is wider than asked
 constexpr double kOpenSeamCosine = -0.9;  // a seam folded by less is not asked whether its sheets touch
-constexpr std::size_t kMostCells = 400'000;
-
-// Nodes sorted into the cells of a box around the cloth.
-struct CellGrid {
-  Vec3 low;
-  double cell = 1;
-  std::array<std::int64_t, 3> count{};
-  Incidence nodes;          // of each cell
-  std::vector<Vec3> place;  // of each item of `nodes`
-
-  std::array<std::int64_t, 3> at(Vec3 p) const {
-    return {static_cast<std::int64_t>((p.x - low.x) / cell), static_cast<std::int64_t>((p.y - low.y) / cell),
-            static_cast<std::int64_t>((p.z - low.z) / cell)};
-  }
-  std::size_t number(std::int64_t i, std::int64_t j, std::int64_t k) const {
-    return static_cast<std::size_t>((k * count[1] + j) * count[0] + i);
-  }
-  CellGrid(std::span<const Vec3> x, double reach) : low(x.front()), cell(reach) {
-    Vec3 high = low;
-    for (Vec3 p : x) {
-      low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
-      high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
-    }
-    for (;; cell *= 1.3) {
-      const auto last = at(high);
-      count = {last[0] + 1, last[1] + 1, last[2] + 1};
-      const double cells =
-          static_cast<double>(count[0]) * static_cast<double>(count[1]) * static_cast<double>(count[2]);
-      if (cells <= static_cast<double>(kMostCells)) break;
-    }
-    std::vector<KeyValue> items;
-    items.reserve(x.size());
-    for (std::uint32_t n = 0; n < x.size(); ++n) {
-      const auto c = at(x[n]);
-      items.emplace_back(static_cast<std::uint32_t>(number(c[0], c[1], c[2])), n);
-    }
-    nodes = incidenceOf(static_cast<std::size_t>(count[0] * count[1] * count[2]), items);
-    for (const std::uint32_t n : nodes.item) place.push_back(x[n]);
-  }
-};
+constexpr double kBoundCell = 2;          // reaches: side of the cells in which approach is bounded
+constexpr int kWidenings = 4;             // of the list, until it serves the motion with half of the margin left
 
 }  // namespace
 
@@ -67,17 +29,25 @@ bool ProximityList::openSeam(NodeIndex a, NodeIndex b, std::span<const Vec3> x) 
   return topology_.overSeam(a, b) && seamCosine(a, b, x) < kOpenSeamCosine;
 }
 
-bool ProximityList::covers(std::span<const Vec3> x, double reach) const {
-  if (madeAt_.size() != x.size()) return false;
-  double moved = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) moved = std::fmax(moved, squaredLength(x[k] - madeAt_[k]));
-  return reach + 2 * std::sqrt(moved) <= reach_;
+bool ProximityList::covers(const ApproachBound::Motion& motion, double reach) const {
+  return madeAt_.size() == motion.x.size() && bound_.excess(motion, reach_, reach) <= 0;
 }
 
-void ProximityList::make(std::span<const Vec3> x, double reach, Workers& workers) {
-  reach_ = reach + kMargin * spacing_;
-  madeAt_.assign(x.begin(), x.end());
-  const CellGrid grid(x, reach_);
+void ProximityList::make(const ApproachBound::Motion& motion, double reach, Workers& workers) {
+  madeAt_.assign(motion.x.begin(), motion.x.end());
+  const double margin = kMargin * spacing_;
+  reach_ = reach + margin;
+  for (int k = 0; k < kWidenings; ++k) {
+    bound_.make(motion.x, kBoundCell * reach_);
+    const double excess = bound_.excess(motion, reach_, reach);
+    if (excess <= -0.5 * margin) break;
+    reach_ += excess + margin;
+  }
+  list(motion.x, workers);
+}
+
+void ProximityList::list(std::span<const Vec3> x, Workers& workers) {
+  const CellList grid(x, reach_);
   std::vector<std::vector<std::array<NodeIndex, 2>>> found((x.size() + kPairBlock - 1) / kPairBlock);
   workers.forBlocks(x.size(), kPairBlock, [&](std::size_t begin, std::size_t end) {
     auto& out = found[begin / kPairBlock];
