@@ -381,6 +381,26 @@ TEST_F(Placed, AShirtThatWideCellsTearIsSewnUpInFinerOnes) {
   }
 }
 
+// A child stands with its feet apart: wrapped round the trunk alone, a long skirt stands through both calves, as it
+// does in a record that does not know better.
+TEST_F(Placed, ALongSkirtStandsRoundBothLegs) {
+  const auto through = [&](const std::string& more, bool recorded) {
+    Context own = room().context;
+    own.recorded = recorded;
+    Document document;
+    const auto lines = parseScript("body size=child128\nblock kind=skirt ease=5cm length=70cm" + more + "\n");
+    for (const ScriptLine& line : *lines) document = *apply(document, line.operation, own);
+    const auto body = bodyOf(document, own);
+    std::size_t count = 0;
+    for (const char* name : {"skirt_front", "skirt_back"})
+      for (const Vec3 p : document.pieceNamed(name)->form->space) count += (*body)->bvh().signedDistance(p) < 0;
+    return count;
+  };
+  EXPECT_EQ(through("", false), 0u);
+  EXPECT_GT(through(" both_legs=no", false), 0u);
+  EXPECT_EQ(through("", true), through(" both_legs=no", false));
+}
+
 // What is turned back lies over the body, and no farther down than that lets it: a flounce at the waist over the hips.
 TEST_F(Placed, WhatIsTurnedBackStaysOutside) {
   Workroom own;

@@ -125,6 +125,7 @@ TermTable fieldTerms() {
       {"meets", say("Meets a bodice at the waist")},
       {"beyond", say("Straight on beyond the edge")},
       {"between", say("Two places on the scan")},
+      {"both_legs", say("Round both legs")},
       {"by.ease", say("Difference of the sides")},
       {"by.grade", say("How far from size to size")},
       {"by.spread", say("Opened there by (less than 0: folded out)")},

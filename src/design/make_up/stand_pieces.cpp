@@ -130,6 +130,7 @@ class StandingPieces {
     place.turn = Angle{reading(id).turn + one.turn};
     place.cone = Choice::No;
     place.taper = one.taper;
+    if (!isLimb(one.at.part)) place.bothLegs = Choice::Yes;
     return place;
   }
   void wrap(PieceId id, BodyPoint at, Flat upright, double ease, double turn = 0) {
@@ -184,7 +185,8 @@ class StandingPieces {
     limb.up = {0, 1, 0}, limb.out = {0, 0, 1}, limb.right = cross(limb.up, limb.out);
     if (const auto place = body_.find(about)) limb.origin = karinui::at(body_.mesh(), *place);
     std::vector<Flat> all;
-    for (const SkinPlace& p : levelsAround(body_, limb, {{-0.3, low - limb.origin.y}, {0.3, high - limb.origin.y}}))
+    for (const SkinPlace& p :
+         levelsAround(body_, limb, {{-0.3, low - limb.origin.y}, {0.3, high - limb.origin.y}}, true))
       all.push_back(p.place);
     return all.size() < 3 ? 0.9 : perimeter(hull(std::move(all)));
   }

@@ -116,6 +116,7 @@ class Made {
       place.ease = Length{draft.stands.ease};
       place.taper = draft.stands.taper && op_.taper == Choice::Yes;
       place.cone = Choice::No;
+      place.bothLegs = op_.bothLegs;
       place.over = op_.over;
       auto stood = placed(document_, std::move(piece), place, body_);
       if (!stood) return stood.error();
@@ -363,6 +364,10 @@ Done resolve(const Document& before, DraftBlock& op, Context& context) {
   for (const auto& width : {op.knee, op.hem})
     if (width && !(*width >= 0.1 && *width <= 3)) return refused(say("A leg is 10 cm to 3 m wide."));
   if (op.legs == Choice::Auto && !context.recorded && op.kind == Kind::Trousers) op.legs = Choice::Yes;
+  if (op.bothLegs == Choice::Yes && !DraftBlock::has(op.kind, "both_legs"))
+    return refused(say("Only a skirt, a bodice and a shirt go round both legs; leave both_legs= away."));
+  if (op.bothLegs == Choice::Auto && !context.recorded && DraftBlock::has(op.kind, "both_legs"))
+    op.bothLegs = Choice::Yes;
   const bool sleeves = op.kind == Kind::Sleeve || op.kind == Kind::Shirt;
   if (op.taper == Choice::Yes && !sleeves) return refused(say("Only sleeves stand tapered; leave taper= away."));
   if (op.taper == Choice::Auto && !context.recorded && sleeves) op.taper = Choice::Yes;

@@ -150,7 +150,7 @@ std::vector<SkinPlace> ringsAround(const std::vector<LimbRing>& rings, const Lim
   return all;
 }
 
-std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, const FlatBox& box) {
+std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, const FlatBox& box, bool bothLegs) {
   const auto around = sections(body, limb, kOff);
   const auto* found = nearest(around, {0, 0});
   if (!found || found->size() < 3) return {};
@@ -163,15 +163,20 @@ std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, con
   const Flat middle = lerp(core.low, core.high, 0.5);
   const Ring coreHull = hull(*found);
   const double reach = 1.5 * length(core.high - core.low);
-  for (int k = 0; k < kLevels; ++k) {
+  Ring above;  // round what counts at the level above, below the anchor
+  for (int k = kLevels - 1; k >= 0; --k) {
     const double height = box.low.v + (box.high.v - box.low.v) * k / (kLevels - 1);
+    std::vector<Flat> here;
     for (const auto& loop : sections(body, limb, height + kOff)) {
       const FlatBox its = boxOf(loop);
+      if (length(its.high - its.low) > reach) continue;
       const Flat centre = lerp(its.low, its.high, 0.5);
-      if (length(its.high - its.low) <= reach && contains(coreHull, centre) &&
-          distance(centre, middle) < 0.5 * length(core.high - core.low))
-        add(loop, height);
+      const bool trunk = contains(coreHull, centre) && distance(centre, middle) < 0.5 * length(core.high - core.low);
+      if (!trunk && !(bothLegs && !above.empty() && contains(above, centre))) continue;
+      add(loop, height);
+      here.insert(here.end(), loop.begin(), loop.end());
     }
+    if (height < 0 && !here.empty()) above = hull(std::move(here));
   }
   return all;
 }

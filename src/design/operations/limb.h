@@ -36,8 +36,8 @@ struct SkinPlace {
 };
 std::vector<SkinPlace> ringsAround(const std::vector<LimbRing>& rings, const LimbFrame& limb, const FlatBox& box);
 // The same round the trunk: loops of level sections that lie over the anchor's own one (not arms, not the whole
-// figure).
-std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, const FlatBox& box);
+// figure); with both legs, also those that lie under the ones of the level above, as legs that stand apart do.
+std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, const FlatBox& box, bool bothLegs);
 // The cloth of other pieces that stands round the limb there, no further than a hand from what `skin` holds.
 std::vector<SkinPlace> clothAround(const Document& document, PieceId without, const LimbFrame& limb, const FlatBox& box,
                                    const std::vector<SkinPlace>& skin);

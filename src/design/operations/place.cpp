@@ -233,6 +233,10 @@ Done resolve(const Document& before, PlacePiece& op, Context& context) {
   const bool plain = !op.taper && op.wrap.empty() && op.arc == 0;
   const bool wound = !op.wrap.empty() && !op.taper && !context.recorded;  // recorded, it stands as it did
   if (op.cone == Choice::Auto) op.cone = ring && (plain || wound) ? Choice::Yes : Choice::No;
+  const bool roundTrunk = !isLimb(op.at.part) && !op.flat;
+  if (op.bothLegs == Choice::Yes && !roundTrunk)
+    return refused(say("Only what goes round the trunk goes round both legs; leave both_legs= away."));
+  if (op.bothLegs == Choice::Auto && !context.recorded && !recordOfBefore && roundTrunk) op.bothLegs = Choice::Yes;
   if (op.cone == Choice::Yes && op.taper)
     return refused(say("A piece stands as a cone or as a tube that narrows with the limb; say only one of them."));
   if (op.arc > 0 && (op.cone == Choice::Yes || op.taper))
@@ -410,7 +414,7 @@ Result<Piece> placed(const Document& document, Piece piece, const PlacePiece& op
   if (!(length(limb.out) > 0.5)) return unwrappable(op.at);
   limb.right = cross(limb.up, limb.out);
 
-  wish.skin = rings.empty() ? levelsAround(body, limb, box) : ringsAround(rings, limb, box);
+  wish.skin = rings.empty() ? levelsAround(body, limb, box, op.bothLegs == Choice::Yes) : ringsAround(rings, limb, box);
   if (wish.skin.size() < 3) return unwrappable(op.at);
   if (op.over) {
     const auto cloth = clothAround(document, piece.id, limb, box, wish.skin);

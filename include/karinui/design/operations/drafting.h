@@ -108,7 +108,7 @@ struct DraftBlock {
   enum class Worn { Auto, Holds, Waist, HighHip } worn = Worn::Auto;
   Choice armhole = Choice::Auto;
   std::optional<Length> knee, hem;
-  Choice legs = Choice::Auto, meets = Choice::Auto, taper = Choice::Auto;
+  Choice legs = Choice::Auto, meets = Choice::Auto, taper = Choice::Auto, bothLegs = Choice::Auto;
   // The fields that only some kinds have; a field that is not listed all have.
   static constexpr std::string_view kKindField = "kind";
   static bool has(Kind kind, std::string_view field) {
@@ -117,6 +117,7 @@ struct DraftBlock {
     if (field == "belly" || field == "worn" || field == "meets") return below;
     if (field == "knee" || field == "hem" || field == "legs") return trousers;
     if (field == "armhole") return kind == Kind::Bodice || kind == Kind::Shirt;
+    if (field == "both_legs") return kind == Kind::Skirt || kind == Kind::Bodice || kind == Kind::Shirt;
     return field != "taper" || kind == Kind::Sleeve || kind == Kind::Shirt;
   }
   template <class Self, class Visit>
@@ -163,6 +164,10 @@ struct DraftBlock {
     visit("taper", self.taper,
           "sleeves stand before they are sewn up as tubes that narrow with the arm and follow its bend: auto, yes, no "
           "(auto: yes, but no in a record that does not have it)",
+          kOptional);
+    visit("both_legs", self.bothLegs,
+          "a skirt, bodice or shirt that reaches below the crotch first stands round both legs, as they stand: auto, "
+          "yes, no (auto: yes, but no in a record that does not have it)",
           kOptional);
   }
   bool operator==(const DraftBlock&) const = default;

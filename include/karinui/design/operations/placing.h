@@ -47,6 +47,7 @@ struct PlacePiece {
   double arc = 0;
   Choice folded = Choice::Auto;
   bool flat = false;
+  Choice bothLegs = Choice::Auto;
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("piece", self.piece, "the piece to place", kNeeded);
@@ -73,6 +74,10 @@ struct PlacePiece {
     visit("flat", self.flat,
           "yes: flat before the body there, or behind it, clear of all of it, as a front that is cut in one with its "
           "sleeves",
+          kOptional);
+    visit("both_legs", self.bothLegs,
+          "what goes round the trunk and reaches below the crotch goes round both legs, as they stand: auto, yes, no "
+          "(auto: yes, but no in a record that does not have it)",
           kOptional);
   }
   bool operator==(const PlacePiece&) const = default;
