@@ -20,6 +20,7 @@
 #include "main_window.h"
 #include "menu_letters.h"
 #include "new_pieces.h"
+#include "pocket_offers.h"
 #include "theme.h"
 
 namespace karinui::studio {
@@ -472,6 +473,10 @@ void MainWindow::addEdgeOperations(QMenu& menu, const EdgeNear& near, const std:
   for (const SeamId id : seamsOn(document, {ref}))
     offer(menu, say("Zip in seam {0}…", seamSaid(document, *document.find(id))),
           [this, id] { askNumbers(zipIn(session_->snapshot().document, id)); });
+  if (const auto pocket = pocketIn(document, ref))
+    offer(menu, say("Pocket in this seam…"), [this, pocket] { askNumbers(*pocket); });
+  if (const auto pocket = slantedAt(document, ref, near.fraction))
+    offer(menu, say("Slanted pocket…"), [this, pocket] { askNumbers(*pocket); });
   if (const auto buttons = buttonsAt(session_->snapshot(), ref))
     offer(menu, say("Buttons…"), [this, buttons] { askNumbers(*buttons); });
   if (const auto fly = flyAt(document, ref); fly && flyFits(session_->snapshot(), *fly))

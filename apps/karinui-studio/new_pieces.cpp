@@ -27,6 +27,7 @@
 #include "karinui/session/fabric_numbers.h"
 #include "main_window.h"
 #include "menu_letters.h"
+#include "pocket_offers.h"
 #include "size_box.h"
 #include "step_dialog.h"
 #include "theme.h"
@@ -642,6 +643,21 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
     SewFly bare;
     if (edge) bare.a = *edge;
     return Operation(fly.value_or(bare));
+  });
+  add("pocket", say("Pocket in the seam of the chosen edge…"), Of::Edge, [chosen, this] {
+    const auto edge = chosen();
+    const auto pocket = edge ? pocketIn(session_->snapshot().document, *edge) : std::nullopt;
+    SewPocket bare;
+    if (edge) bare.edge = *edge;
+    return Operation(pocket.value_or(bare));
+  });
+  add("slanted", say("Slanted pocket at the chosen edge…"), Of::Edge, [chosen, this] {
+    const auto edge = chosen();
+    const auto pocket = edge ? slantedAt(session_->snapshot().document, *edge, 0) : std::nullopt;
+    SewPocket bare;
+    bare.kind = SewPocket::Kind::Slant;
+    if (edge) bare.edge = *edge;
+    return Operation(pocket.value_or(bare));
   });
   add("patch", say("Chosen piece sewn onto another…"), Of::Piece, [this] {
     const auto& taken = session_->selection().pieces;

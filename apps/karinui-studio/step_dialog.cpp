@@ -41,6 +41,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"block", "kind ease length fabric"},
     {"pleat", "edge kind depth count turned stitch hold"},
     {"elastic", "edges ratio length rows spacing"},
+    {"pocket", "kind first inset length depth below fabric"},
     {"strap", "name from to width length"},
     {kDrawnPleat, "lines stitch hold"},
     {kPleatTo, "edge to at to_at depth turned stitch hold"},
@@ -310,7 +311,9 @@ std::string StepDialog::typed(std::string_view name) const {
 void StepDialog::fitToKind() {
   const OperationHelp& help = helpOf(opened_);
   if (help.kindField.empty()) return;
-  const std::string kind = typed(help.kindField);
+  std::string kind = typed(help.kindField);
+  for (const FieldHelp& field : help.fields)
+    if (field.name == help.kindField && kind.empty()) kind = field.usual;
   for (const FieldHelp& field : help.fields) {
     if (field.kinds.empty()) continue;
     const bool has = kind.empty() || std::find(field.kinds.begin(), field.kinds.end(), kind) != field.kinds.end();

@@ -11,6 +11,7 @@
 #include "karinui/design/step_words.h"
 #include "karinui/pattern/allowance.h"
 #include "karinui/pattern/darts.h"
+#include "karinui/pattern/pockets.h"
 #include "karinui/pattern/seam_walk.h"
 
 namespace karinui {
@@ -56,6 +57,7 @@ class SewingPlan {
     darts();
     pleats();
     along(document_.allowances.pipings, [](const Message& edges) { return say("Tack the piping along {0}.", edges); });
+    pockets();
     patches();
     bool zipped = false;
     while (!left_.empty()) {
@@ -200,6 +202,24 @@ class SewingPlan {
     sew(down, [](const Message& numbers, std::size_t count) {
       return say("Sew the folds down: {1|seam|seams} {0}.", numbers, count);
     });
+  }
+  // The bags lie open while they are sewn to the opening's edges; round them is sewn when the seams beside it are.
+  void pockets() {
+    for (const SewnPocket& pocket : pocketsOf(pattern_)) {
+      if (!left_.contains(pocket.opening)) continue;
+      std::vector<SeamId> caught = pocket.caught;
+      std::erase_if(caught, [&](SeamId id) { return !left_.contains(id); });
+      std::sort(caught.begin(), caught.end());
+      sew(caught, [](const Message& numbers, std::size_t count) {
+        return say("Sew the pocket {2|bag|bags} to the {2|edge|edges} of the opening: {1|seam|seams} {0}.", numbers,
+                   count, count);
+      });
+      const Seam& opening = pattern_.seams.at(pocket.opening);
+      const Message name = opening.name.empty() ? say("the opening of the pocket") : nameSaid(opening.name);
+      sew({pocket.opening}, [&](const Message& numbers, std::size_t) {
+        return say("Baste, and do not sew, seam {0}: {1}. It is open once the garment is pressed.", numbers, name);
+      });
+    }
   }
   // What is sewn onto the inside of a piece, all seams of a pocket together.
   void patches() {

@@ -4,12 +4,21 @@ namespace karinui {
 
 std::set<PieceId> wornInsideOut(const Pattern& pattern) {
   const auto layerOf = [&](const EdgeSpan& span) { return pattern.pieces.at(span.piece)->layer; };
+  // What a piece is sewn onto along a line, as a front onto the side piece of its pocket, shows its right side beside
+  // it.
+  std::set<std::pair<PieceId, PieceId>> onto;
+  for (const auto& [id, seam] : pattern.seams)
+    if (seam.tie != Seam::Tie::Pleat)
+      for (const EdgeSpan& over : seam.a)
+        for (const EdgeSpan& under : seam.b)
+          if (!findEdge(*pattern.pieces.at(under.piece), under.edge)) onto.emplace(over.piece, under.piece);
   std::set<PieceId> inside, above;
   for (const auto& [id, seam] : pattern.seams) {
     if (seam.tie != Seam::Tie::Pleat || seam.reversed) continue;
     for (const EdgeSpan& outer : seam.a)
       for (const EdgeSpan& own : seam.b)
-        if (layerOf(own) < layerOf(outer)) inside.insert(own.piece), above.insert(outer.piece);
+        if (layerOf(own) < layerOf(outer) && !onto.contains({outer.piece, own.piece}))
+          inside.insert(own.piece), above.insert(outer.piece);
   }
   for (std::size_t before = 0; before != inside.size();) {
     before = inside.size();

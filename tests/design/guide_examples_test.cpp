@@ -113,6 +113,8 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
       {"block kind=shirt", ""},
       {"block kind=bodice", ""},
       {"fly a=leg_front_left", std::string(kFigure) + "block kind=trousers\n"},
+      {"pocket edge=skirt_front", kSkirtBlock},
+      {"pocket kind=slant", std::string(kFigure) + "block kind=trousers\n"},
       {"band name=belt", kSkirtBlock},
       {"ring name=cape_left", kFigure},
       {"duplicate piece=front name=back by=0,0,-40cm", ""},

@@ -16,6 +16,7 @@
 #include "karinui/design/operations/outline.h"
 #include "karinui/design/operations/paper.h"
 #include "karinui/design/operations/placing.h"
+#include "karinui/design/operations/pockets.h"
 #include "karinui/design/operations/sewing.h"
 #include "karinui/design/operations/sizes.h"
 #include "karinui/design/operations/tracing.h"
@@ -35,7 +36,7 @@ std::variant<Ops...> variantOf(OperationList<Ops...>);
 using PlainOperation = decltype(variantOf(
     FigureOperations() + DraftingOperations() + PaperOperations() + OutlineOperations() + MarksOperations() +
     SewingOperations() + PlacingOperations() + DrapingOperations() + FabricOperations() + FinishingOperations() +
-    TrimmingOperations() + SizesOperations() + FasteningOperations() + TracingOperations()));
+    TrimmingOperations() + SizesOperations() + FasteningOperations() + PocketOperations() + TracingOperations()));
 
 // Any operation. The fields named in `formulas` are given by formulas: what the struct holds there is their value as
 // it was last worked out (nothing after reading a text), and resolved() works them out anew for the document at hand.

@@ -29,6 +29,7 @@ TermTable wordTerms() {
       {"apron", say("apron")},
       {"armhole", say("armhole")},
       {"back", say("back")},
+      {"bag", say("bag")},
       {"belt", say("belt")},
       {"bias_strip", say("bias strip")},
       {"binding", say("binding")},

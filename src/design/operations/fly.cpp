@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "design/operations/cut_parts.h"
+#include "design/operations/down_edge.h"
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
 #include "design/operations/said.h"
@@ -21,35 +22,14 @@ constexpr double kBelowZip = 0.015;                            // metres that th
 constexpr double kShieldWider = 0.005, kShieldLonger = 0.005;  // metres, than the facing
 constexpr double kLeastZip = 0.05, kMostZip = 0.6;             // metres
 
-// An edge from the waist down.
-struct FlyEdge {
-  const Piece& piece;
-  const Edge& edge;
-  bool down = true;  // the outline runs down along it
-  double whole = 0;
-  std::pair<double, double> upTo(double metres) const {
-    const double share = std::min(1.0, metres / whole);
-    return down ? std::pair(0.0, share) : std::pair(1 - share, 1.0);
-  }
-  EdgeSpan span(double metres) const {
-    const auto [from, to] = upTo(metres);
-    return {piece.id, edge.name, from, to};
-  }
-};
-FlyEdge flyEdgeOf(const Document& document, const EdgeRef& ref) {
-  const Piece& piece = *document.find(ref.piece.id);
-  const Edge& edge = *findEdge(piece, ref.edge);
-  return {piece, edge, edge.curve.start.v >= edge.curve.end.v, edge.curve.length()};
-}
-
 // The strip of the piece beside its edge, so wide, which ends so far down in a quarter of a circle. Of the piece's
 // edges it has a part of this one and of the one above.
-Result<DividedPart> flyStrip(const FlyEdge& over, double width, double down) {
+Result<DividedPart> flyStrip(const DownEdge& over, double width, double down) {
   const Error noRoom = refused(say("“{0}” has no room for a fly that is {1} cm long and {2} cm wide beside {3}.",
                                    over.piece.name, centimetres(down), centimetres(width), over.edge.name));
   const double straight = down - width;
   if (!(straight > kLeastStraight && down < over.whole)) return noRoom;
-  const EdgeSpan upper = over.span(straight);
+  const EdgeSpan upper = over.span(0, straight);
   const auto split = splitEdge(over.piece, over.edge.name, over.down ? upper.to : upper.from);
   if (!split) return split.error();
   const auto& edges = split->piece.outline.edges;
@@ -76,7 +56,7 @@ Result<DividedPart> flyStrip(const FlyEdge& over, double width, double down) {
   outline.edges.erase(outline.edges.begin() + static_cast<std::ptrdiff_t>(next));
   std::erase_if(strip->edges, [&](const auto& part) { return part.piece.edge == above || part.piece.edge == below; });
   strip->edges.insert(over.down ? strip->edges.end() : strip->edges.begin(),
-                      {over.span(reached), {{}, over.edge.name, 0, 1}});
+                      {over.span(0, reached), {{}, over.edge.name, 0, 1}});
   return strip;
 }
 
@@ -89,7 +69,7 @@ Fasten zipOf(const Document& document, const SewFly& op) {
   zip.kind = FasteningKind::Zip;
   zip.a = {op.a}, zip.b = {op.b};
   zip.reversed = Choice::Yes;  // the outlines of two pieces that lie side by side run against each other
-  zip.from = flyEdgeOf(document, op.a).down ? Fasten::From::Start : Fasten::From::End;
+  zip.from = downEdgeOf(document, op.a).down ? Fasten::From::Start : Fasten::From::End;
   zip.first = Length{0}, zip.length = op.length;
   zip.unpick = Choice::Yes;
   return zip;
@@ -139,7 +119,7 @@ class FlyMade {
         add("shield", op_.width + kShieldWider, facedDown(op_) + kShieldLonger, beneath, 2 * kLayersApart);
     if (!shield) return shield.error();
     Seam extended;  // the cloth of the edge beneath goes on with it
-    extended.a = {flyEdgeOf(after_, op_.b).span(findEdge(*after_.find(shield->id), op_.a.edge)->curve.length())};
+    extended.a = {downEdgeOf(after_, op_.b).span(0, findEdge(*after_.find(shield->id), op_.a.edge)->curve.length())};
     extended.b = {{shield->id, op_.a.edge, 0, 1}};
     sew(std::move(extended));
     after_.cutting[shield->id] = {2, true};  // outside and inside
@@ -154,7 +134,7 @@ class FlyMade {
 
   Result<Strip> add(const char* what, double width, double down, int layer, double apart) {
     const Piece outer = *after_.find(op_.a.piece.id);
-    auto strip = flyStrip(flyEdgeOf(after_, op_.a), width, down);
+    auto strip = flyStrip(downEdgeOf(after_, op_.a), width, down);
     if (!strip) return strip.error();
     Piece piece;
     piece.id = mint<PieceId>(before_, pieces_++);
@@ -220,12 +200,12 @@ Done resolve(const Document& before, SewFly& op, Context& context) {
   silent.advise = {};
   Fasten zip = zipOf(before, op);
   if (Done done = resolve(before, zip, silent); !done) return done;
-  const FlyEdge over = flyEdgeOf(before, op.a);
+  const DownEdge over = downEdgeOf(before, op.a);
   for (const double more : {0.0, op.shield ? 1.0 : 0.0}) {
     const auto strip = flyStrip(over, op.width + more * kShieldWider, facedDown(op) + more * kShieldLonger);
     if (!strip) return strip.error();
   }
-  if (const double under = flyEdgeOf(before, op.b).whole; op.shield && under < facedDown(op) + kShieldLonger)
+  if (const double under = downEdgeOf(before, op.b).whole; op.shield && under < facedDown(op) + kShieldLonger)
     return refused(say("{0} is {1} cm long; the shield of this fly takes {2} cm of it.", op.b.edge, centimetres(under),
                        centimetres(facedDown(op) + kShieldLonger)));
   return {};

@@ -66,9 +66,7 @@ std::vector<EdgeSpan> partOf(const Pattern& pattern, const std::vector<EdgeSpan>
 
 void addPart(const Pattern& pattern, const Seam& seam, Share share, std::vector<SeamPart>& parts) {
   if ((share.to - share.from) * length(pattern, seam.a) < kShortest) return;
-  Seam part = seam;
-  part.a = partOf(pattern, seam.a, share, false), part.b = partOf(pattern, seam.b, share, seam.reversed);
-  parts.push_back({std::move(part), share.to - share.from});
+  parts.push_back(partWithin(pattern, seam, share));
 }
 
 }  // namespace
@@ -86,6 +84,12 @@ std::vector<SeamPart> partsBeside(const Pattern& pattern, const Seam& seam, Seam
   addPart(pattern, seam, {0, gone.from}, parts);
   addPart(pattern, seam, {gone.to, 1}, parts);
   return parts;
+}
+
+SeamPart partWithin(const Pattern& pattern, const Seam& seam, SeamStretch kept) {
+  Seam part = seam;
+  part.a = partOf(pattern, seam.a, kept, false), part.b = partOf(pattern, seam.b, kept, seam.reversed);
+  return {std::move(part), kept.to - kept.from};
 }
 
 std::optional<SeamStretch> coveredBy(const Pattern& pattern, const Seam& seam, bool onA,

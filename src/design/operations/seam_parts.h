@@ -28,6 +28,7 @@ struct SeamStretch {
   double from = 0, to = 1;
 };
 std::vector<SeamPart> partsBeside(const Pattern& pattern, const Seam& seam, SeamStretch gone);
+SeamPart partWithin(const Pattern& pattern, const Seam& seam, SeamStretch kept);
 // What of a seam's side `other` covers, from its first place to its last. Nothing where they have nothing in common.
 std::optional<SeamStretch> coveredBy(const Pattern& pattern, const Seam& seam, bool onA,
                                      const std::vector<EdgeSpan>& other);
