@@ -91,6 +91,21 @@ TEST(PrintMatch, PlacedPiecesMeetAlongTheWholeOfASeamWhoseSidesAreAlike) {
     }
 }
 
+// What was done is told, and that nothing was to be done.
+TEST(PrintMatch, TellsThatThePrintsMeetNow) {
+  SewnPrints s;
+  std::vector<std::string> told;
+  s.room.context.advise = [&](const Advice& advice) { told.push_back(text(advice.what)); };
+  s.play(panels(0.013, 0.021) + "look fabric=cotton print=check repeat=3cm\n");
+  told.clear();
+  s.play("match seam=side\n");
+  EXPECT_EQ(told, std::vector<std::string>{
+                      "The print of back meets that of front there now: back is cut from another place of the cloth."});
+  told.clear();
+  s.play("match seam=side\n");
+  EXPECT_EQ(told, std::vector<std::string>{"The print of back meets that of front there already."});
+}
+
 TEST(PrintMatch, AMissIsToldWithItsMeasureAndItsPlace) {
   SewnPrints s;
   s.play(panels(0, 0) + "look fabric=cotton print=stripe turn=90deg repeat=4cm\nmatch seam=side\n");

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "design/operations/operations.h"
+#include "karinui/design/glossary.h"
 #include "karinui/design/print_image.h"
 #include "karinui/design/print_match.h"
 #include "karinui/pattern/seam_walk.h"
@@ -93,6 +94,8 @@ Result<Document> perform(const Document& before, const SetLook& op, Context&) {
 
 namespace {
 
+constexpr double kMatchedAlready = 1e-4;  // metres
+
 Result<Flat> matched(const Document& before, const MatchPrint& op, const Context& context) {
   return matchingShift(before, *before.find(op.seam.id), op.at, op.piece.id, photosIn(context.blobs));
 }
@@ -116,6 +119,19 @@ Result<Document> perform(const Document& before, const MatchPrint& op, Context& 
   if (!shift) return shift.error();
   Document after = before;
   after.looks.shifts[op.piece.id] = *shift;
+  if (context.advise) {
+    const SeamSides sides(before.pattern, *before.find(op.seam.id));
+    const PieceId own = op.piece.id, a = sides.a.at(op.at).piece, b = sides.b.at(op.at).piece;
+    const Message moved = nameSaid(before.find(own)->name), other = nameSaid(before.find(own == b ? a : b)->name);
+    const auto was = before.looks.shifts.find(own);
+    const bool there = was == before.looks.shifts.end() ? length(*shift) < kMatchedAlready
+                                                        : distance(was->second, *shift) < kMatchedAlready;
+    context.advise({there ? say("The print of {0} meets that of {1} there already.", moved, other)
+                          : say("The print of {0} meets that of {1} there now: {0} is cut from another place of the "
+                                "cloth.",
+                                moved, other),
+                    own});
+  }
   return after;
 }
 

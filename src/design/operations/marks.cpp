@@ -322,7 +322,12 @@ Done resolve(const Document& before, AddNotch& op, Context& context) {
     if (Done done = resolve(before, op.piece); !done) return done;
     const Piece& piece = *before.find(op.piece.id);
     if (!contains(piece.outline.flattened(1e-4), *op.point)) {
-      return refused(say("The drill hole is not on “{0}”.", piece.name));
+      const FlatBox paper = boxOf(piece.outline.flattened(1e-4));
+      const auto cm = [](double metres) { return fixed(metres * 100, 0); };
+      return refused(
+          say("The drill hole is not on “{0}”, which lies between {1} and {2} cm across, and {3} and {4} cm up "
+              "on its paper.",
+              piece.name, cm(paper.low.u), cm(paper.high.u), cm(paper.low.v), cm(paper.high.v)));
     }
     if (Done done = resolveCopies(before, {op.piece}, op.copies, context); !done) return done;
     return checkSymmetric(piece, op.symmetric, {}, 0, context);

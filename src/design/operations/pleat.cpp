@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "design/operations/lifted_form.h"
@@ -67,8 +68,20 @@ PleatPlan planOf(const Piece& piece, const AddPleat& op) {
   return plan;
 }
 
-Result<PleatedPiece> pleated(const Document& document, const Piece& piece, const AddPleat& op) {
-  const auto fold = [&](bool sewnBeyond) {
+// What is sewn onto a piece, as a pocket, by the inner lines that hold it.
+std::map<PieceId, std::set<std::string>> sewnOnto(const Document& document, const Piece& piece) {
+  std::map<PieceId, std::set<std::string>> on;
+  for (const auto& [id, seam] : document.pattern.seams)
+    for (const bool a : {true, false})
+      for (const EdgeSpan& span : a ? seam.a : seam.b)
+        if (const PieceId other = (a ? seam.b : seam.a).front().piece;
+            span.piece == piece.id && other != piece.id && !findEdge(piece, span.edge))
+          on[other].insert(span.edge);
+  return on;
+}
+
+Result<PleatedPiece> pleated(const Document& document, const Piece& whole, const AddPleat& op) {
+  const auto foldIn = [&](const Piece& piece, bool sewnBeyond) {
     if (!op.lines.empty())
       return foldDrawn(
           piece, {op.lines[0].edge, op.lines[1].edge, op.lines[2].edge, normalized(*op.along), op.name, sewnBeyond});
@@ -76,9 +89,19 @@ Result<PleatedPiece> pleated(const Document& document, const Piece& piece, const
     plan.sewnBeyond = sewnBeyond;
     return addPleats(piece, plan);
   };
-  auto made = fold(false);
-  if (!made || seamsOn(document, {{PieceRef(piece.id), made->beyondOf}}).empty()) return made;
-  return fold(true);
+  auto made = foldIn(whole, false);
+  if (!made && op.lines.empty())
+    for (const auto& [patch, lines] : sewnOnto(document, whole)) {
+      Piece bare = whole;
+      std::erase_if(bare.lines, [&](const InternalLine& line) { return lines.contains(line.name); });
+      if (foldIn(bare, false))
+        return refused(
+            say("The pleats would run through “{0}”, which is sewn onto “{1}” there. Fold them beside it, or "
+                "before it is sewn on.",
+                document.find(patch)->name, whole.name));
+    }
+  if (!made || seamsOn(document, {{PieceRef(whole.id), made->beyondOf}}).empty()) return made;
+  return foldIn(whole, true);
 }
 
 // The ends of a fold where it is farther from its place, and where nearer; the same place twice: it is as far all
