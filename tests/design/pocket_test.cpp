@@ -106,6 +106,19 @@ TEST(Pocket, HangsFromTheWaist) {
   }
 }
 
+// Lined, the bags hang between the skirt and its lining, whichever was sewn first.
+TEST(Pocket, LiesAboveTheLining) {
+  const std::string pocket = "pocket edge=skirt_front.side_left\n",
+                    lining = "lining piece=\"skirt_front skirt_back\" open=\"skirt_front.hem* skirt_back.hem*\"\n";
+  for (const std::string& both : {pocket + lining, lining + pocket}) {
+    const Document document = sewnUp(drapingRoom(), kBlockSkirt + both + "drape\n");
+    expectHangsWell(document);
+    const int bag = document.pieceNamed("pocket_bag_back")->layer;
+    EXPECT_GT(bag, document.pieceNamed("skirt_front_lining")->layer) << both;
+    EXPECT_EQ(document.pieceNamed("skirt_front_lining")->layer, document.pieceNamed("skirt_back_lining")->layer);
+  }
+}
+
 // The front loses its corner, which goes on beneath it as the side piece; the waist and the outseam are as long as they
 // were, and the bag reaches as far in as that.
 TEST(Pocket, SlantedHasItsPaper) {

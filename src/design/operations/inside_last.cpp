@@ -8,6 +8,7 @@
 #include "karinui/geometry/bvh.h"
 #include "karinui/pattern/facing.h"
 #include "karinui/pattern/lattice.h"
+#include "karinui/pattern/pockets.h"
 
 namespace karinui {
 
@@ -62,6 +63,8 @@ Vec3 normalAt(const Stand& stand, Flat place) {
 }  // namespace
 
 std::optional<Document> laidInto(Document draped, const Document& before, const std::set<PieceId>& inside) {
+  // Under the two bags of a pocket there is room for a lining.
+  const double deepest = pocketsOf(before.pattern).empty() ? 2 : 3;
   for (const PieceId id : inside) {
     const auto was = standingOf(before, beneathWhich(before.pattern, id, inside));
     if (!was || was->mesh.faces.empty()) return std::nullopt;
@@ -85,7 +88,7 @@ std::optional<Document> laidInto(Document draped, const Document& before, const 
       for (std::size_t c = 0; c < 3; ++c) there += was->flat[face[c]] * w[c], on += was->mesh.points[face[c]] * w[c];
       const auto& p = was->mesh.points;
       const Vec3 out = normalized(cross(p[face[1]] - p[face[0]], p[face[2]] - p[face[0]]));
-      const double apart = std::clamp(dot(at - on, out), -2 * kLayersApart, -kLayersApart);
+      const double apart = std::clamp(dot(at - on, out), -deepest * kLayersApart, -kLayersApart);
       const Stand& stand = stands.at(was->piece[nearest->place.face]);
       form->space.push_back(stand(there) + normalAt(stand, there) * apart);
     }

@@ -1,11 +1,13 @@
 // A lining: every lined piece once more, beneath it. Seams between lined pieces are sewn in the lining too; elsewhere
 // the lining's edges are caught in with the piece's own, as when a lined garment is bagged out.
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "design/operations/cut_parts.h"
 #include "design/operations/lifted_form.h"
 #include "design/operations/operations.h"
+#include "karinui/pattern/pockets.h"
 
 namespace karinui {
 
@@ -98,9 +100,32 @@ std::vector<LiningRun> freeRuns(const Piece& piece, const std::vector<EdgeSpan>&
   return runs;
 }
 
-std::vector<PieceId> idsOf(const std::vector<PieceRef>& pieces) {
+// Beneath what a lining lies: the lined pieces, and the bags of pockets that hang behind them. Of pieces in one layer
+// the linings lie in one, too.
+std::map<PieceId, PieceId> lowestOf(const Document& document, const std::vector<PieceRef>& pieces) {
+  std::map<int, PieceId> lowest;  // by the layer of the lined
+  const auto lower = [&](int layer, PieceId id) {
+    const auto [at, first] = lowest.emplace(layer, id);
+    if (!first && document.find(id)->layer < document.find(at->second)->layer) at->second = id;
+  };
+  for (const PieceRef& ref : pieces) lower(document.find(ref.id)->layer, ref.id);
+  for (const SewnPocket& pocket : pocketsOf(document.pattern)) {
+    const Seam& round = document.pattern.seams.at(pocket.round);
+    for (const PieceRef& ref : pieces)
+      for (const SeamId id : pocket.caught)
+        for (const EdgeSpan& span : document.pattern.seams.at(id).a)
+          if (span.piece == ref.id)
+            for (const PieceId bag : {round.a.front().piece, round.b.front().piece})
+              lower(document.find(ref.id)->layer, bag);
+  }
+  std::map<PieceId, PieceId> all;
+  for (const PieceRef& ref : pieces) all[ref.id] = lowest.at(document.find(ref.id)->layer);
+  return all;
+}
+
+std::vector<PieceId> idsOf(const std::map<PieceId, PieceId>& lowest) {
   std::vector<PieceId> ids;
-  for (const PieceRef& ref : pieces) ids.push_back(ref.id);
+  for (const auto& [piece, id] : lowest) ids.push_back(id);
   return ids;
 }
 
@@ -121,12 +146,13 @@ Done resolve(const Document& before, LinePieces& op, Context& context) {
   if (op.shorter && *op.shorter > 0 && op.open.empty())
     return refused(say("Say at which edges the lining is shorter: open=front.hem."));
   if (op.eases == Choice::Auto && !context.recorded) op.eases = Choice::Yes;
-  if (const auto room = withLayersBeneath(before, idsOf(op.pieces)); !room) return room.error();
+  if (const auto room = withLayersBeneath(before, idsOf(lowestOf(before, op.pieces))); !room) return room.error();
   return {};
 }
 
 Result<Document> perform(const Document& before, const LinePieces& op, Context& context) {
-  auto room = withLayersBeneath(before, idsOf(op.pieces));
+  const std::map<PieceId, PieceId> lowest = lowestOf(before, op.pieces);
+  auto room = withLayersBeneath(before, idsOf(lowest));
   if (!room) return room.error();
   if (context.advise && before.drape.last && std::any_of(op.pieces.begin(), op.pieces.end(), [&](const PieceRef& ref) {
         return !before.find(ref.id)->form || before.drape.dirty.contains(ref.id);
@@ -151,7 +177,7 @@ Result<Document> perform(const Document& before, const LinePieces& op, Context& 
     lining.outline = std::move(cut->outline);
     lining.name = usableName(after, outer.name + "_lining");
     lining.fabric = op.fabric, lining.interfacing.clear();
-    lining.layer = outer.layer - 1;
+    lining.layer = after.find(lowest.at(ref.id))->layer - 1;
     lining.lines.clear();
     followMarks(lining.marks, cut->edges);
     for (auto& part : cut->edges) {
@@ -161,8 +187,8 @@ Result<Document> perform(const Document& before, const LinePieces& op, Context& 
     }
     const auto mirror = copies.find(outer.mirrorOf);
     lining.mirrorOf = mirror == copies.end() ? PieceId() : mirror->second;
-    auto form = liftedForm(lining, outer, before.settings.spacing, [](Flat place) {
-      return LiftedPlace{place, -kLayersApart};
+    auto form = liftedForm(lining, outer, before.settings.spacing, [&](Flat place) {
+      return LiftedPlace{place, -kLayersApart * (outer.layer - lining.layer)};
     });
     if (!form) return form.error();
     lining.form = *std::move(form);
