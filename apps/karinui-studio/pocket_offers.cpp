@@ -6,6 +6,7 @@
 #include "karinui/design/document.h"
 #include "karinui/design/sewing.h"
 #include "karinui/pattern/darts.h"
+#include "karinui/pattern/seam_walk.h"
 
 namespace karinui::studio {
 
@@ -33,12 +34,26 @@ std::string freeName(const Document& document) {
   return name;
 }
 
+// The bags hang to the front: of a back's side, the front's that it is sewn to is meant.
+EdgeRef towardsFront(const Document& document, const EdgeRef& edge) {
+  const auto isCalled = [&](PieceId id, const char* word) {
+    const Piece* piece = document.find(id);
+    return piece && piece->name.find(word) != std::string::npos;
+  };
+  if (!isCalled(edge.piece.id, "back")) return edge;
+  for (const SeamPlace& there : sewnTo(document.pattern, {edge.piece.id, edge.edge, 0.5}))
+    if (isCalled(there.piece, "front") && document.find(there.piece)->outline.find(there.edge))
+      return {PieceRef(there.piece), there.edge};
+  return edge;
+}
+
 // Down to whole half centimetres, so that it fits a short edge.
 Length openingIn(double room) { return {std::min(kUsualOpening, std::floor(room * 200) / 200)}; }
 
 }  // namespace
 
-std::optional<SewPocket> pocketIn(const Document& document, const EdgeRef& edge) {
+std::optional<SewPocket> pocketIn(const Document& document, const EdgeRef& at) {
+  const EdgeRef edge = towardsFront(document, at);
   const Piece* piece = document.find(edge.piece.id);
   const auto k = piece ? piece->outline.find(edge.edge) : std::nullopt;
   if (!k || isDart(document, *piece, edge.edge)) return std::nullopt;
@@ -57,7 +72,8 @@ std::optional<SewPocket> pocketIn(const Document& document, const EdgeRef& edge)
   return pocket;
 }
 
-std::optional<SewPocket> slantedAt(const Document& document, const EdgeRef& edge, double fraction) {
+std::optional<SewPocket> slantedAt(const Document& document, const EdgeRef& at, double fraction) {
+  const EdgeRef edge = towardsFront(document, at);
   const Piece* piece = document.find(edge.piece.id);
   const auto k = piece ? piece->outline.find(edge.edge) : std::nullopt;
   if (!k || isDart(document, *piece, edge.edge)) return std::nullopt;

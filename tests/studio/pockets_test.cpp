@@ -92,6 +92,23 @@ TEST(StudioPockets, SlantedByTheRightButton) {
   EXPECT_TRUE(w.session().snapshot().document.pieceNamed("pocket_side"));
 }
 
+// The seam is one: on the back's edge of it the same pocket is meant, whose bags hang to the front.
+TEST(StudioPockets, OnTheBackTheyHangToTheFront) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  openSide(w);
+  const std::size_t before = w.count();
+  menuOn(w, "skirt_back", "side");
+  ASSERT_TRUE(choose(w, "Pocket in this seam…")) << w.main().said().toStdString();
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  numbers.accept();
+  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
+  const auto* pocket = std::get_if<SewPocket>(&w.session().steps()[before].operation);
+  ASSERT_TRUE(pocket);
+  EXPECT_EQ(pocket->edge.piece.id, piece(w, "skirt_front").id);
+}
+
 // By the menu, for the keys: with an edge chosen.
 TEST(StudioPockets, ByTheMenu) {
   KARINUI_NEEDS_DISPLAY();
