@@ -81,6 +81,27 @@ TEST(Fly, HasItsPaper) {
   EXPECT_EQ(sewn.b.back().piece, banded.pieceNamed("leg_front_left")->id);
 }
 
+// A hook or a button at the ends of a band lies in the middle of their lap, where it holds them flat over each other.
+TEST(Fly, TheWaistbandIsFastenedInItsLap) {
+  const auto inset = [](const std::string& extra, const std::string& kind) {
+    Workroom room;
+    DocumentFile file = DocumentFile::inMemory();
+    const Done done = room.play(
+        file, std::string(kTrousers) +
+                  "fly a=leg_front_left.crotch b=leg_front_right.crotch\n"
+                  "band name=waistband depth=4cm sew=yes of=\"leg_back_left.waist* leg_front_left.waist* "
+                  "leg_front_right.waist* leg_back_right.waist*\"" +
+                  extra + "\nfasten a=waistband.end_left b=waistband.end_right count=1 first=2cm kind=" + kind + "\n");
+    EXPECT_TRUE(done) << text(done.error().what);
+    return std::get<Fasten>(file.steps().back().operation).inset->metres;
+  };
+  EXPECT_NEAR(inset(" extra=3cm", "hook"), 0.015, 1e-6);
+  EXPECT_NEAR(inset(" extra=5cm", "button"), 0.025, 1e-6);
+  EXPECT_EQ(inset("", "hook"), 0);
+  EXPECT_EQ(inset("", "button"), 0.015);
+  EXPECT_EQ(inset(" extra=3cm", "hook inset=1cm"), 0.01);
+}
+
 // A band over an opening ends there, without a lap, too: over a fly as over a zip. In a record of before its ends are
 // sewn to each other, as they are along a ring that opens nowhere.
 TEST(Fly, OpensTheWaistband) {

@@ -86,6 +86,52 @@ void decideReversed(const Document& before, Fasten& op) {
   op.reversed = facesReversed(before, sew, nullptr) ? Choice::Yes : Choice::No;
 }
 
+// How far an end of a band goes on beyond the seam that it is sewn on with, metres; 0: it ends there.
+double beyondSeam(const Document& document, const EdgeRef& end) {
+  constexpr double kStraightOn = 0.35;  // radians
+  const Piece& piece = *document.find(end.piece.id);
+  const auto at = piece.outline.find(end.edge);
+  if (!at) return 0;
+  const auto& edges = piece.outline.edges;
+  double most = 0;  // of its two corners
+  for (const std::size_t step : {std::size_t{1}, edges.size() - 1}) {
+    double beyond = 0;
+    for (std::size_t k = (*at + step) % edges.size(); k != *at; k = (k + step) % edges.size()) {
+      std::optional<double> nearest;  // share of the edge from this side to where it is sewn
+      for (const auto& [id, seam] : document.pattern.seams)
+        for (const auto* side : {&seam.a, &seam.b})
+          for (const EdgeSpan& span : *side)
+            if (span.piece == piece.id && span.edge == edges[k].name)
+              nearest = std::min(nearest.value_or(1), step == 1 ? span.from : 1 - span.to);
+      const Curve& own = edges[k].curve;
+      beyond += nearest.value_or(1) * own.length();
+      if (nearest) {
+        most = std::max(most, beyond);
+        break;
+      }
+      const Curve& next = edges[(k + step) % edges.size()].curve;
+      const Flat out = step == 1 ? own.tangent(1) : own.tangent(0), in = step == 1 ? next.tangent(0) : next.tangent(1);
+      if (std::fabs(angleFrom(out, in)) > kStraightOn) break;
+    }
+  }
+  return most;
+}
+
+// Half of what the two ends of a band lap, as those of a waistband: fastened there, they lie flat over each other.
+std::optional<double> halfLap(const Document& document, const Fasten& op) {
+  constexpr double kLeast = 0.005;  // metres
+  if (op.a.size() != 1 || op.b.size() != 1 || op.a[0].piece.id != op.b[0].piece.id) return std::nullopt;
+  const double half = (beyondSeam(document, op.a[0]) + beyondSeam(document, op.b[0])) / 2;
+  return half < kLeast ? std::nullopt : std::optional(half);
+}
+
+Length usualInset(const Document& document, const Fasten& op) {
+  if (op.stand) return *op.stand;
+  if (const auto half = halfLap(document, op)) return {*half};
+  const bool onLines = lineOf(document, op.a.front()) || lineOf(document, op.b.front());
+  return {hasCloth(*op.kind) && !onLines ? kUsualInset : 0};
+}
+
 // What is not said of a new one is decided.
 Done decide(const Document& before, Fasten& op) {
   const FasteningKind kind = op.kind.value_or(FasteningKind::Button);
@@ -105,8 +151,7 @@ Done decide(const Document& before, Fasten& op) {
   if (op.from == Fasten::From::Auto || op.from == Fasten::From::Top) op.from = topOf(before, op.a);
   if (op.from == Fasten::From::Bottom)
     op.from = topOf(before, op.a) == Fasten::From::Start ? Fasten::From::End : Fasten::From::Start;
-  const bool onLines = lineOf(before, op.a.front()) || lineOf(before, op.b.front());
-  if (!op.inset && !zip) op.inset = Length{op.stand ? op.stand->metres : hasCloth(kind) && !onLines ? kUsualInset : 0};
+  if (!op.inset && !zip) op.inset = usualInset(before, op);
   if (op.inset && !(*op.inset >= 0 && *op.inset <= 0.5))
     return refused(say("The places lie 0 to 50 cm within the edge."));
   const double whole = lengthOf(before, op.a);

@@ -62,7 +62,9 @@ struct Fasten {
     visit("first", self.first, "from the end where counting begins to the first, or to the zip's open end", kOptional);
     visit("last", self.last, "from the last to the other end", kOptional);
     visit("inset", self.inset,
-          "from the edges into the pieces (otherwise 1.5 cm for buttons and snaps, 0 for others and on inner lines)",
+          "from the edges into the pieces (otherwise half of what the ends of a band lap; without a lap 1.5 cm for "
+          "buttons "
+          "and snaps, 0 for others and on inner lines)",
           kOptional);
     visit("size", self.size, "diameter of a button or snap (otherwise 11 mm)", kOptional);
     visit("length", self.length, "of a zip (otherwise to the end of the edges)", kOptional);
