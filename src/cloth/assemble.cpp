@@ -178,9 +178,12 @@ void fasten(const Pattern& pattern, const Fastenings& fastenings, Cloth& cloth) 
             {name, static_cast<std::uint32_t>(seam - cloth.seams.begin()), length(pattern, pattern.seams.at(zip).a)});
       continue;
     }
+    // A hook holds edges that meet, or within them ends that lap, as those of a waistband.
+    const bool laps = own.kind == FasteningKind::Button || own.kind == FasteningKind::Snap ||
+                      (own.kind == FasteningKind::Hook && own.inset > 0);
     std::size_t number = 0;
     for (const FastenedPlaces& pair : placesOf(pattern, own)) {
-      ClothFastener fastener{name, ++number, own.kind, {}, {}, own.gap};
+      ClothFastener fastener{name, ++number, own.kind, {}, {}, own.gap, laps};
       if (pair.closed && place(pair.a, 1, 0, fastener) && place(pair.b, -1, 3, fastener))
         cloth.fasteners.push_back(std::move(fastener));
     }

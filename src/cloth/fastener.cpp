@@ -27,8 +27,6 @@ Vec3 weighted(const ClothFastener& fastener, std::span<const Vec3> x) {
   return way;
 }
 
-bool laps(FasteningKind kind) { return kind == FasteningKind::Button || kind == FasteningKind::Snap; }
-
 }  // namespace
 
 FastenerContact::Pull FastenerContact::pullOf(const ClothFastener& fastener, std::span<const Vec3> x,
@@ -36,7 +34,7 @@ FastenerContact::Pull FastenerContact::pullOf(const ClothFastener& fastener, std
   const double radius = std::fmax(clothRadius, kLeastRadius);
   Vec3 way = weighted(fastener, x);
   double slack = std::fmax(fastener.gap, kOff * radius);
-  if (laps(fastener.kind)) {
+  if (fastener.laps) {
     const Vec3 corner = x[fastener.nodes[3]];
     const Vec3 out = normalized(cross(x[fastener.nodes[4]] - corner, x[fastener.nodes[5]] - corner));
     way -= out * std::clamp(kRise * length(way), kOff * radius, std::fmax(kOff * radius, kMostRise));

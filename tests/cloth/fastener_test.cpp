@@ -34,7 +34,8 @@ struct Hung {
   ClothLevel level;
   double weight = 0;  // N, of the lower piece and of the allowances on both sides of a zip
 };
-Hung hung(const Fastening& own) {
+// `lap`: by how much they lie over each other at first; `off`: how far the upper one stands before the other; metres.
+Hung hung(const Fastening& own, double lap, double off) {
   Allowances finish;
   finish.fastenings["closing"] = own;
   Pattern pattern = withZips(patternOf({rectangle(1, kWide, kHigh), rectangle(2, kWide, kHigh)}), finish.fastenings);
@@ -42,9 +43,8 @@ Hung hung(const Fastening& own) {
   choice.finish = &finish;
   for (int k = 0; k <= 20; ++k) choice.pins[{1}].push_back({kWide * k / 20, kHigh});
   Hung made{levelOf(pattern, 0.01, *preset("denim"), choice), 0};
-  const double lap = own.kind == FasteningKind::Button ? kLap : 0;
   made.level.state = standingBy(made.level.cloth, [&](std::size_t piece, Flat p) {
-    return piece == 0 ? Vec3{p.u, p.v, 0.004} : Vec3{p.u, p.v - kHigh + lap, 0};
+    return piece == 0 ? Vec3{p.u, p.v, off} : Vec3{p.u, p.v - kHigh + lap, 0};
   });
   double mass = made.level.cloth.pieces[1].fabric.weight * kWide * kHigh;
   for (const auto& [node, more] : edgeMasses(made.level.cloth)) mass += more;
@@ -52,14 +52,15 @@ Hung hung(const Fastening& own) {
   return made;
 }
 
+Hung hung(const Fastening& own) { return hung(own, own.kind == FasteningKind::Button ? kLap : 0, 0.004); }
+
 double pullOf(const Hung& made) {
   const auto pulls = fasteningPulls(made.level.cloth, made.level.state);
   return std::accumulate(pulls.begin(), pulls.end(), 0.0, [](double sum, const auto& p) { return sum + p.force; });
 }
 
-Hung atRest(const Fastening& own) {
+Hung atRest(Hung made) {
   Workers workers;
-  Hung made = hung(own);
   std::vector<ClothLevel> levels{made.level};
   SettleSettings settings;
   settings.gravity = kDown;
@@ -68,6 +69,8 @@ Hung atRest(const Fastening& own) {
   made.level = levels.back();
   return made;
 }
+
+Hung atRest(const Fastening& own) { return atRest(hung(own)); }
 
 // Together they bear the weight of what hangs from them, and none is drawn out by a millimetre more than its slack.
 TEST(Fastener, BearsWhatHangsFromIt) {
@@ -95,6 +98,24 @@ TEST(Fastener, TheLapStaysOver) {
   }
   EXPECT_GT(over, under);
   EXPECT_EQ(check(made.level.cloth, made.level.state, nullptr).clothClothCrossings, 0u);
+}
+
+// Ends that lap are led over each other from where they stand apart, hooked as well as buttoned.
+TEST(Fastener, TheLapComesOver) {
+  for (const FasteningKind kind : {FasteningKind::Button, FasteningKind::Hook}) {
+    Fastening own = closing(kind);
+    own.inset = kLap / 2;
+    const Hung made = atRest(hung(own, -0.01, 0));
+    double over = 1, under = -1;
+    for (std::size_t k = 0; k < made.level.cloth.nodeCount; ++k) {
+      const Vec3 p = made.level.state.position[k];
+      const bool first = k < made.level.cloth.pieces[1].firstNode;
+      if (first && p.y < kLap / 2) over = std::fmin(over, p.z);
+      if (!first && p.y > kLap / 2) under = std::fmax(under, p.z);
+    }
+    EXPECT_GT(over, under) << static_cast<int>(kind);
+    EXPECT_EQ(check(made.level.cloth, made.level.state, nullptr).clothClothCrossings, 0u);
+  }
 }
 
 // A tie holds nothing while its places are nearer than its gap; any force is the same on both sides, turned round.

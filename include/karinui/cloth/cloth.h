@@ -62,6 +62,7 @@ struct ClothFastener {
   std::array<std::uint32_t, 6> nodes{};  // three of the piece that lies over, three of the other
   std::array<double, 6> weights{};       // the other's are negative: the sum of weighted places is the way between
   double gap = 0;                        // metres apart at which a tie holds
+  bool laps = false;                     // the one lies over the other, and is led there from its right side
 };
 struct ClothZip {
   std::string name;
