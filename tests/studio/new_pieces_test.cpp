@@ -728,7 +728,8 @@ TEST(StudioNewPieces, AShirtFromTheStartPage) {
   EXPECT_FALSE(w.main().atStart());
   ASSERT_EQ(w.count(), 3u) << w.main().said().toStdString();
   EXPECT_EQ(text(w.session().steps()[0].operation), "body size=eu38");
-  EXPECT_EQ(text(w.session().steps()[1].operation), "block kind=shirt ease=120mm trued=yes armhole=yes taper=yes");
+  EXPECT_EQ(text(w.session().steps()[1].operation),
+            "block kind=shirt ease=120mm trued=yes armhole=yes taper=yes both_legs=yes");
   const auto& report = w.session().snapshot().document.drape.last;
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->settled);
