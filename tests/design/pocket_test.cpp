@@ -35,6 +35,17 @@ bool notchedAt(const Document& document, const Piece& piece, Flat place) {
   });
 }
 
+// Layers that lie behind one another, from the outermost, beside the middle of the second at these shares of its
+// height.
+void expectInOrder(const Document& document, const std::array<const Piece*, 3>& layers,
+                   std::initializer_list<double> shares) {
+  const FlatBox box = boxOf(layers[1]->outline.flattened(1e-4));
+  for (const double down : shares) {
+    const Flat at{(box.low.u + box.high.u) / 2, std::lerp(box.high.v, box.low.v, down)};
+    for (const std::size_t k : {1u, 2u}) expectWithin(document, *layers[k], *layers[k - 1], at);
+  }
+}
+
 double lowest(const Piece& piece) { return boxOf(piece.outline.flattened(1e-4)).low.v; }
 
 // The opening begins and ends where it was asked for, with notches on both edges and on both bags; the bags are cut
@@ -81,12 +92,7 @@ TEST(Pocket, InASeamHangsWithin) {
   expectHangsWell(document);
   const Piece &front = *document.pieceNamed("skirt_front"), &upper = *document.pieceNamed("pocket_bag_front"),
               &under = *document.pieceNamed("pocket_bag_back");
-  const FlatBox box = boxOf(upper.outline.flattened(1e-4));
-  for (const double down : {0.3, 0.5, 0.7}) {
-    const Flat at{(box.low.u + box.high.u) / 2, std::lerp(box.high.v, box.low.v, down)};
-    expectWithin(document, upper, front, at);
-    expectWithin(document, under, upper, at);
-  }
+  expectInOrder(document, {&front, &upper, &under}, {0.3, 0.5, 0.7});
 }
 
 // Near a waist the bags reach up to it and are caught in there; farther down they hang from the side alone.
@@ -150,12 +156,7 @@ TEST(Pocket, SlantedHangsWithin) {
   expectHangsWell(document);
   const Piece &front = *document.pieceNamed("leg_front_left"), &side = *document.pieceNamed("pocket_side"),
               &bag = *document.pieceNamed("pocket_bag");
-  const FlatBox box = boxOf(bag.outline.flattened(1e-4));
-  for (const double down : {0.5, 0.7, 0.85}) {
-    const Flat at{(box.low.u + box.high.u) / 2, std::lerp(box.high.v, box.low.v, down)};
-    expectWithin(document, bag, front, at);
-    expectWithin(document, side, bag, at);
-  }
+  expectInOrder(document, {&front, &bag, &side}, {0.5, 0.7, 0.85});
 }
 
 // A waistband is sewn on over the front and its side piece alike, before the pocket or after it.
