@@ -52,7 +52,7 @@ TermTable operationTerms() {
       {"shift_dart", say("Move a dart along its edge")},
       {"place", say("Wrap round the body")},
       {"pleat", say("Pleats")},
-      {"pocket", say("Pocket in a seam, or a slanted one")},
+      {"pocket", say("Pocket")},
       {"polygon", say("Polygon on paper")},
       {"pose", say("Pose of the figure")},
       {"pull", say("Pull")},

@@ -80,6 +80,14 @@ Done checkPocketAt(const Document& document, const SewPocket& op, const EdgeRef&
   return {};
 }
 
+// Another pocket is not there already.
+Done checkPlaceFree(const Document& document, const SewPocket& op, const EdgeRef& edge) {
+  const DownEdge side = downEdgeOf(document, edge);
+  if (op.kind == SewPocket::Kind::Slant) return checkFree(document, side, 0, op.length + kBagBeyond);
+  const BagSize size = bagSizeOf(document, op, side);
+  return checkFree(document, side, size.from, size.to);
+}
+
 // Where the opening begins and ends, on the bag's edge.
 std::vector<Mark> openingMarks(const EdgeSpan& span, const DownEdge& side, const PocketOpening& opening) {
   std::vector<Mark> marks;
@@ -183,16 +191,21 @@ Done resolve(const Document& before, SewPocket& op, Context& context) {
     return refused(say("The bags of a pocket hang 2 to 40 cm below the opening."));
   if (op.fabric.empty()) op.fabric = "cotton";
   if (Done done = checkFabricName(before, op.fabric); !done) return done;
-  if (Done done = checkPocketAt(before, op, op.edge); !done) return done;
+  const auto check = [&](const EdgeRef& edge) -> Done {
+    if (!context.recorded)
+      if (Done done = checkPlaceFree(before, op, edge); !done) return done;
+    return checkPocketAt(before, op, edge);
+  };
+  if (Done done = check(op.edge); !done) return done;
   const auto image = edgeOnOtherHalf(before, op.edge);
   if (op.copies == Choice::Yes && !image)
     return refused(say("“{0}” has no symmetric copy or other half with an edge like {1}; leave copies= away.",
                        before.find(op.edge.piece.id)->name, op.edge.edge));
-  if (op.copies == Choice::Auto && !context.recorded && image && checkPocketAt(before, op, *image)) {
+  if (op.copies == Choice::Auto && !context.recorded && image && check(*image)) {
     op.copies = Choice::Yes;
-    if (Done done = checkPocketAt(before, op, op.edge); !done) return done;  // they may meet
+    if (Done done = check(op.edge); !done) return done;  // they may meet
   }
-  return op.copies == Choice::Yes ? checkPocketAt(before, op, *image) : Done();
+  return op.copies == Choice::Yes ? check(*image) : Done();
 }
 
 Result<Document> perform(const Document& before, const SewPocket& op, Context& context) {

@@ -26,18 +26,22 @@ Ring withoutDarts(const Pattern& pattern, const Piece& piece) {
   return ring;
 }
 
-// From the edge's lower place round the bag up to its upper one.
-std::vector<Curve> hangingLine(const Curve& side, bool down, const BagSize& size, std::optional<Flat> top) {
+// From the edge's lower place round the bag up to its upper one. Where a dart or a seam ends the edge above before the
+// bag is as wide as it should be, a `broad` bag has its width below that all the same.
+std::vector<Curve> hangingLine(const Curve& side, bool down, const BagSize& size, std::optional<Flat> top, bool broad) {
+  constexpr double kNarrower = 5e-3, kShoulder = 0.03;  // metres
   const Flat upper = down ? side.start : side.end, lower = down ? side.end : side.start;
   const Flat y = normalized(lower - upper), x = down ? leftOf(y) : -leftOf(y);
   const double end = distance(upper, lower), bottom = end - (size.to - size.low) + size.below;
   const double half = size.depth / 2, turn = std::min(half, (bottom - end / 3) / 2);
   const auto at = [&](double in, double deep) { return upper + x * in + y * deep; };
   const Flat lowest = at(half, bottom), farthest = at(size.depth, bottom - turn);
-  const double hang = bottom - end;
+  const double hang = bottom - end, missing = top ? size.depth - dot(*top - upper, x) : 0;
   const Curve last =
-      top ? Curve::cubic(farthest, at(size.depth, (bottom - turn) * 0.6), *top + y * (0.3 * bottom), *top)
-          : Curve::cubic(farthest, at(size.depth, (bottom - turn) * 0.3), at(0.6 * size.depth, 0.1 * end), upper);
+      top && broad && missing > kNarrower ? Curve::cubic(farthest, at(size.depth, (bottom - turn) * 0.1),
+                                                         *top + x * (0.8 * missing) + y * kShoulder, *top)
+      : top ? Curve::cubic(farthest, at(size.depth, (bottom - turn) * 0.6), *top + y * (0.3 * bottom), *top)
+            : Curve::cubic(farthest, at(size.depth, (bottom - turn) * 0.3), at(0.6 * size.depth, 0.1 * end), upper);
   return {Curve::cubic(lower, at(0.1 * size.depth, end + 0.55 * hang), at(half - 0.3 * size.depth, bottom), lowest),
           Curve::cubic(lowest, at(half + 0.28 * size.depth, bottom), at(size.depth, bottom - turn * 0.45), farthest),
           last};
@@ -59,17 +63,17 @@ bool bagFits(const Pattern& pattern, const Piece& piece, const std::vector<Curve
   return true;
 }
 
-std::vector<Curve> hangingLine(const DownEdge& side, const BagSize& size) {
+std::vector<Curve> hangingLine(const DownEdge& side, const BagSize& size, bool broad) {
   const EdgeSpan span = side.span(size.from, size.to);
   const auto top = size.top > 0 ? std::optional(edgeAbove(side).at(size.top)) : std::nullopt;
-  return hangingLine(curvePart(side.edge.curve, span.from, span.to), side.down, size, top);
+  return hangingLine(curvePart(side.edge.curve, span.from, span.to), side.down, size, top, broad);
 }
 
 // What may be said instead: how deep a bag has room.
 Message noBagRoom(const Pattern& pattern, const DownEdge& side, const BagSize& size) {
   BagSize less = size;
   for (less.depth = std::floor(size.depth * 100 - 1e-6) / 100; less.depth >= 0.04; less.depth -= 0.01)
-    if (bagFits(pattern, side.piece, hangingLine(side, less), size.half))
+    if (bagFits(pattern, side.piece, hangingLine(side, less, false), size.half))
       return say("“{0}” has no room for bags that reach {1} cm in from {2}; {3} cm have.", side.piece.name,
                  centimetres(size.depth), side.edge.name, centimetres(less.depth));
   return say("“{0}” has no room for bags beside {1} that hang {2} cm below the opening.", side.piece.name,
@@ -93,9 +97,10 @@ Outline bagOutline(std::vector<Edge> edges, bool down) {
 }
 
 Result<std::vector<Curve>> bagLine(const Pattern& pattern, const DownEdge& side, const BagSize& size) {
-  std::vector<Curve> line = hangingLine(side, size);
-  if (!bagFits(pattern, side.piece, line, size.half)) return refused(noBagRoom(pattern, side, size));
-  return line;
+  for (const bool broad : {true, false})
+    if (std::vector<Curve> line = hangingLine(side, size, broad); bagFits(pattern, side.piece, line, size.half))
+      return line;
+  return refused(noBagRoom(pattern, side, size));
 }
 
 Result<DividedPart> bagBeside(const Pattern& pattern, const DownEdge& side, const BagSize& size) {

@@ -1,8 +1,12 @@
 #include "design/operations/pocket_pieces.h"
 
+#include <cmath>
+
 #include "design/operations/cut_parts.h"
 #include "design/operations/lifted_form.h"
+#include "design/operations/said.h"
 #include "karinui/pattern/likeness.h"
+#include "karinui/pattern/pockets.h"
 
 namespace karinui {
 
@@ -21,6 +25,28 @@ std::vector<EdgeRef> pocketEdges(const Document& document, const SewPocket& op) 
   if (op.copies == Choice::Yes)
     if (const auto image = edgeOnOtherHalf(document, op.edge)) edges.push_back(*image);
   return edges;
+}
+
+Done checkFree(const Document& document, const DownEdge& side, double from, double to) {
+  constexpr double kCommon = 1e-3;  // metres
+  const std::string opening = "_opening";
+  for (const SewnPocket& pocket : pocketsOf(document.pattern))
+    for (const SeamId id : pocket.caught)
+      for (const EdgeSpan& span : document.find(id)->a) {
+        if (span.piece != side.piece.id || span.edge != side.edge.name) continue;
+        const double first = (side.down ? span.from : 1 - span.to) * side.whole,
+                     last = (side.down ? span.to : 1 - span.from) * side.whole;
+        if (std::min(to, last) - std::max(from, first) < kCommon) continue;
+        const std::string& seam = document.find(pocket.opening)->name;
+        const std::string name = seam.substr(0, seam.find(opening));
+        const double below = std::ceil((last + kBagBeyond) * 200 - 1e-6) / 200;
+        return refused(
+            say("The pocket “{0}” has {1} of “{2}” from {3} to {4} cm down. Begin this one at {5} cm or lower, choose "
+                "another seam, or change or take back the step of that pocket.",
+                name.empty() ? document.find(document.find(id)->b.front().piece)->name : name, side.edge.name,
+                side.piece.name, centimetres(first), centimetres(last), centimetres(below)));
+      }
+  return {};
 }
 
 PocketPieces::PocketPieces(const Document& before, const SewPocket& op, Document now)

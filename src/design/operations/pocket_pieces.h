@@ -15,6 +15,10 @@ std::optional<EdgeRef> edgeOnOtherHalf(const Document& document, const EdgeRef& 
 // Those the pocket is sewn behind.
 std::vector<EdgeRef> pocketEdges(const Document& document, const SewPocket& op);
 
+// Refused where a pocket that is there has a part of the edge between these places, in metres from its upper end down;
+// says which, and where there is room.
+Done checkFree(const Document& document, const DownEdge& side, double from, double to);
+
 // How slanted pockets are refused and made; slanted_pocket.cpp.
 Done checkSlanted(const Document& document, const SewPocket& op, const EdgeRef& edge);
 Result<Document> withSlanted(const Document& before, const SewPocket& op, Context& context);
