@@ -4,6 +4,7 @@
 
 #include "design/formula/links.h"
 #include "design/operations/operations.h"
+#include "design/operations/pocket_follows.h"
 #include "design/text/field_table.h"
 #include "design/text/formula_fields.h"
 #include "design/text/value_text.h"
@@ -156,6 +157,7 @@ Result<Document> apply(const Document& before, const Operation& operation, Conte
   if (const auto* length = std::get_if<SetLength>(&*op))
     after = withLink(*std::move(after), length->edge, lengthFormula(*op));
   if (!after->variables.empty()) after = linksFollowed(before, *std::move(after), context);
+  after = pocketsFollowed(before, *std::move(after), context);
   // A seam goes with the internal line it was sewn to, and what was said of a seam or a piece goes with it.
   std::erase_if(after->pattern.seams, [&](const auto& seam) { return lineGone(before, *after, seam.second); });
   std::erase_if(after->allowances.fastenings, [&](const auto& own) { return lineGone(before, *after, own.second); });

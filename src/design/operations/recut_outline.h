@@ -4,7 +4,7 @@
 // asked for.
 #include <functional>
 
-#include "karinui/pattern/piece.h"
+#include "karinui/design/document.h"
 
 namespace karinui {
 
@@ -23,5 +23,9 @@ class FollowEdge {
   double was_, is_;             // metres
   double head_ = 0, tail_ = 0;  // metres that stayed, at the start and at the end
 };
+
+// The document with this piece cut along another outline of the same edges, and not its symmetric copies: marks, form
+// and what is sewn to parts of its edges follow.
+Document cutAlone(Document document, const Piece& piece, const Outline& outline);
 
 }  // namespace karinui

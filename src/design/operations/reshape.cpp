@@ -273,6 +273,11 @@ Done resolve(const Document& before, ReshapePiece& reshape, Context& context) {
   return {};
 }
 
+Document cutAlone(Document document, const Piece& piece, const Outline& outline) {
+  followSewn(document.pattern.seams, piece, outline), followSewn(document.allowances.fastenings, piece, outline);
+  return withPiece(std::move(document), recut(piece, outline, {}, 0));
+}
+
 Result<Document> cutAnew(const Document& before, const ReshapePiece& reshape) {
   const Piece* old = before.find(reshape.piece.id);
   if (!old) return notFound(say("There is no piece to reshape."));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "design/operations/operations.h"
+#include "design/operations/pocket_follows.h"
 #include "design/operations/sewn_runs.h"
 #include "karinui/base/number.h"
 #include "karinui/design/sewing.h"
@@ -178,7 +179,9 @@ Done resolveWhole(const Document& before, std::vector<EdgeRef>& edges, Choice sy
 void tellSeams(const Document& before, const Document& after, const Context& context) {
   constexpr double kTold = 5e-5;  // metres: smaller changes are not spoken of
   if (!context.advise) return;
+  const std::set<SeamId> pockets = seamsOfPockets(before.pattern);  // these follow yet
   for (const auto& [id, seam] : after.pattern.seams) {
+    if (pockets.contains(id)) continue;
     const auto old = before.pattern.seams.find(id);
     if (old == before.pattern.seams.end()) continue;  // new, as that of a dart
     const double was = lengthMismatch(before.pattern, old->second), is = lengthMismatch(after.pattern, seam);
@@ -195,7 +198,9 @@ void tellSeams(const Document& before, const Document& after, const Context& con
 void tellMisfits(const Document& before, const Document& after, const Context& context) {
   constexpr double kPlainly = 5e-3, kShare = 0.1;  // metres; of the shorter side
   if (!context.advise) return;
+  const std::set<SeamId> pockets = seamsOfPockets(before.pattern);  // these follow yet
   for (const auto& [id, seam] : after.pattern.seams) {
+    if (pockets.contains(id)) continue;
     const auto old = before.pattern.seams.find(id);
     if (old == before.pattern.seams.end()) continue;  // new, as that of a dart
     const double was = lengthMismatch(before.pattern, old->second), is = lengthMismatch(after.pattern, seam);

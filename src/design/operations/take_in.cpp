@@ -4,6 +4,7 @@
 #include <set>
 
 #include "design/operations/operations.h"
+#include "design/operations/pocket_follows.h"
 #include "karinui/base/number.h"
 #include "karinui/design/edge_run.h"
 #include "karinui/design/step_words.h"
@@ -130,7 +131,8 @@ struct Carried {
 // and the images of that.
 class EdgesThatGo {
  public:
-  EdgesThatGo(const Document& document, const TakeIn& op) : document_(document), op_(op) {}
+  EdgesThatGo(const Document& document, const TakeIn& op)
+      : document_(document), op_(op), pockets_(seamsOfPockets(document.pattern)) {}
 
   Result<std::vector<Carried>> find() {
     for (const EdgeRef& ref : op_.edges) {
@@ -143,6 +145,14 @@ class EdgesThatGo {
     lets_ = op_.moves;
     for (std::size_t i = 0, own = all_.size(); op_.partners != Choice::No && i < own; ++i)
       if (Done done = addSewn(all_[i]); !done) return done.error();
+    // Beyond a slanted pocket's edge a side goes on as that of the side piece. Its bags follow by themselves.
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      if (all_[i].taper) continue;
+      lets_ = all_[i].lets;
+      for (const EdgeRef& beyond :
+           beyondPockets(document_.pattern, {PieceRef(all_[i].edge.first), all_[i].edge.second}))
+        if (Done done = add({beyond.piece.id, beyond.edge}, {}); !done) return done.error();
+    }
     return all_;
   }
 
@@ -192,6 +202,7 @@ class EdgesThatGo {
   Done addSewn(const Carried from) {
     for (const auto& [id, seam] : document_.pattern.seams)
       for (const bool a : {true, false}) {
+        if (pockets_.contains(id)) continue;
         const auto &own = a ? seam.a : seam.b, &others = a ? seam.b : seam.a;
         for (std::size_t i = 0; i < own.size(); ++i) {
           if (!lies(own[i], from.edge)) continue;
@@ -221,6 +232,7 @@ class EdgesThatGo {
 
   const Document& document_;
   const TakeIn& op_;
+  std::set<SeamId> pockets_;
   std::vector<Carried> all_;
   bool lets_ = false;  // those that are added now
 };
