@@ -34,15 +34,36 @@ std::string freeName(const Document& document) {
   return name;
 }
 
+// How far a piece stands before the others, in the middle of its cloth.
+double standsForward(const Piece& piece) {
+  Vec3 sum;
+  if (piece.form && !piece.form->space.empty()) {
+    for (const Vec3 place : piece.form->space) sum += place;
+    sum = sum * (1.0 / static_cast<double>(piece.form->space.size()));
+  } else {
+    const FlatBox box = boxOf(piece.outline.flattened(1e-3));
+    sum = {(box.low.u + box.high.u) / 2, (box.low.v + box.high.v) / 2, 0};
+  }
+  return piece.pose(sum).z;
+}
+
+// By how they stand; where they lie in one plane, as beside the figure, by what they are called.
+bool isBefore(const Piece& front, const Piece& back) {
+  constexpr double kPlainly = 0.01;  // metres
+  const double apart = standsForward(front) - standsForward(back);
+  if (std::fabs(apart) > kPlainly) return apart > 0;
+  const auto isCalled = [](const Piece& piece, const char* word) { return piece.name.find(word) != std::string::npos; };
+  return isCalled(back, "back") && isCalled(front, "front");
+}
+
 // The bags hang to the front: of a back's side, the front's that it is sewn to is meant.
 EdgeRef towardsFront(const Document& document, const EdgeRef& edge) {
-  const auto isCalled = [&](PieceId id, const char* word) {
-    const Piece* piece = document.find(id);
-    return piece && piece->name.find(word) != std::string::npos;
-  };
-  if (!isCalled(edge.piece.id, "back")) return edge;
+  const Piece* piece = document.find(edge.piece.id);
+  if (!piece) return edge;
   for (const SeamPlace& there : sewnTo(document.pattern, {edge.piece.id, edge.edge, 0.5}))
-    if (isCalled(there.piece, "front") && document.find(there.piece)->outline.find(there.edge))
+    if (const Piece* other = document.find(there.piece); other && other->id != piece->id &&
+                                                         other->layer >= piece->layer &&
+                                                         other->outline.find(there.edge) && isBefore(*other, *piece))
       return {PieceRef(there.piece), there.edge};
   return edge;
 }

@@ -6,8 +6,8 @@
 
 namespace karinui::studio {
 
-// A pocket in the seam of an upright edge, behind this piece; on a back, behind the front it is sewn to. Nothing where
-// the edge is not sewn, is too short, or is a side of a dart.
+// A pocket in the seam of an upright edge, behind this piece; where it is sewn to one that stands before it, behind
+// that one. Nothing where the edge is not sewn, is too short, or is a side of a dart.
 std::optional<SewPocket> pocketIn(const Document& document, const EdgeRef& edge);
 
 // A slanted pocket at the upper end of an upright edge; of a level one, at the corner nearer to the place `fraction`.

@@ -109,6 +109,33 @@ TEST(StudioPockets, OnTheBackTheyHangToTheFront) {
   EXPECT_EQ(pocket->edge.piece.id, piece(w, "skirt_front").id);
 }
 
+// Which of the two is the front is seen by how they stand, not by what they are called.
+TEST(StudioPockets, TheFrontIsTheOneThatStandsInFront) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  w.openTunic();
+  for (const char* line :
+       {"piece name=panel_1 outline=\"M 0 0; hem L 260 0; side L 240 500; waist L 0 490; centre L 0 0\" "
+        "pose=\"1,0.5,-0.05\"",
+        "piece name=panel_2 outline=\"M -260 0; hem L 0 0; centre L 0 500; waist L -240 500; side L -260 0\" "
+        "pose=\"1.52,0.5,0.05\"",
+        "sew a=panel_1.side b=panel_2.side name=outer_side", "freeze piece=\"panel_1 panel_2\""})
+    w.session().perform(*parseOperation(line)), w.rest();
+  w.main().action(Command::ViewAll)->trigger();
+  w.rest();
+  w.key(Command::Select);
+  const std::size_t before = w.count();
+  menuOn(w, "panel_1", "side");
+  ASSERT_TRUE(choose(w, "Pocket in this seam…")) << w.main().said().toStdString();
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  numbers.accept();
+  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
+  const auto* pocket = std::get_if<SewPocket>(&w.session().steps()[before].operation);
+  ASSERT_TRUE(pocket);
+  EXPECT_EQ(pocket->edge.piece.id, piece(w, "panel_2").id);
+}
+
 // By the menu, for the keys: with an edge chosen.
 TEST(StudioPockets, ByTheMenu) {
   KARINUI_NEEDS_DISPLAY();
