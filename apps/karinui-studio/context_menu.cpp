@@ -27,7 +27,11 @@ namespace karinui::studio {
 
 namespace {
 
-constexpr double kPlaced = 0.005;  // metres: a pocket's place is shown, and can be typed finer
+// A pocket's place is shown, and can be typed finer.
+Flat atHalfCentimetres(Flat place) {
+  constexpr double kPlaced = 0.005;  // metres
+  return {std::round(place.u / kPlaced) * kPlaced, std::round(place.v / kPlaced) * kPlaced};
+}
 
 constexpr double kSkirtDeep = 0.5;  // metres, first written in the box
 constexpr double kDartDeep = 0.1;   // metres, as the board "Garment" offers it
@@ -198,8 +202,7 @@ void MainWindow::menuAt(const PointerSample& sample, const QPoint& global) {
   patch_.reset();
   if (wrapped && hit.piece && hit.piece != wrapped && !hit.edge && isLoose(session_->snapshot().document, wrapped)) {
     patch_ = patchOf(session_->snapshot().document, wrapped);
-    const auto round = [](double metres) { return std::round(metres / kPlaced) * kPlaced; };
-    patch_->on = hit.piece, patch_->at = {round(hit.paper.u), round(hit.paper.v)};
+    patch_->on = hit.piece, patch_->at = atHalfCentimetres(hit.paper);
   }
   // Several chosen pieces stay chosen, for what is to be done with all of them.
   const auto edges = session_->selection().edges();
@@ -363,6 +366,8 @@ void MainWindow::menuOf(const Selection& chosen, std::optional<Hit> at, const QP
       if (const std::string line = lineAt(*piece, at->paper); !line.empty())
         offerElastic(at->piece, line), offerTopstitch(at->piece, line), offerTurning(at->piece, line),
             offerPleats(at->piece, line);
+    if (const auto welt = weltAt(session_->snapshot().document, at->piece, atHalfCentimetres(at->paper)))
+      offer(*menu, say("Welt pocket here…"), [this, welt] { askNumbers(*welt); });
     if (patch_)
       offer(*menu, say("Sew {0} on here…", session_->snapshot().document.find(patch_->piece.id)->name),
             [this, patch = *patch_] { askNumbers(patch); });

@@ -659,6 +659,15 @@ void MainWindow::addNewPieces(QMenu& pieces, QMenu& details) {
     if (edge) bare.edge = *edge;
     return Operation(pocket.value_or(bare));
   });
+  add("welt", say("Welt pocket in the chosen piece…"), Of::Piece, [this] {
+    const auto& taken = session_->selection().pieces;
+    const Piece* piece = taken.empty() ? nullptr : session_->snapshot().document.find(*taken.begin());
+    if (!piece) return Operation(SewWelt());
+    const FlatBox box = boxOf(piece->outline.flattened(1e-3));
+    SewWelt bare;
+    bare.piece = PieceRef(piece->id), bare.at = lerp(box.low, box.high, 0.5);
+    return Operation(weltAt(session_->snapshot().document, piece->id, bare.at).value_or(bare));
+  });
   add("patch", say("Chosen piece sewn onto another…"), Of::Piece, [this] {
     const auto& taken = session_->selection().pieces;
     return Operation(taken.empty() ? SewPatch() : patchOf(session_->snapshot().document, *taken.begin()));

@@ -124,4 +124,18 @@ std::optional<SewPocket> slantedAt(const Document& document, const EdgeRef& at, 
   return pocket;
 }
 
+std::optional<SewWelt> weltAt(const Document& document, PieceId id, Flat place) {
+  constexpr double kLeastWide = 0.16, kLeastHigh = 0.20;  // metres
+  const Piece* piece = document.find(id);
+  if (!piece) return std::nullopt;
+  const FlatBox box = boxOf(piece->outline.flattened(1e-3));
+  if (box.high.u - box.low.u < kLeastWide || box.high.v - box.low.v < kLeastHigh) return std::nullopt;
+  SewWelt welt;
+  welt.piece = PieceRef(id);
+  welt.at = place;
+  welt.name = freeName(document);
+  welt.fabric = "cotton";
+  return welt;
+}
+
 }  // namespace karinui::studio

@@ -14,4 +14,7 @@ std::optional<SewPocket> pocketIn(const Document& document, const EdgeRef& edge)
 // Nothing where there is no such corner, or no room.
 std::optional<SewPocket> slantedAt(const Document& document, const EdgeRef& edge, double fraction);
 
+// A jetted pocket with its middle at a place of a piece. Nothing where the piece is too small for one.
+std::optional<SewWelt> weltAt(const Document& document, PieceId piece, Flat place);
+
 }  // namespace karinui::studio

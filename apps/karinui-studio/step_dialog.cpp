@@ -42,6 +42,7 @@ constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
     {"pleat", "edge kind depth count turned stitch hold"},
     {"elastic", "edges ratio length rows spacing"},
     {"pocket", "kind first inset length depth below fabric"},
+    {"welt", "kind at turn length width below fabric"},
     {"strap", "name from to width length"},
     {kDrawnPleat, "lines stitch hold"},
     {kPleatTo, "edge to at to_at depth turned stitch hold"},

@@ -237,6 +237,13 @@ class SewingPlan {
         return say("Sew {0} onto {1}: {3|seam|seams} {2}.", patch, on, numbers, count);
       });
     }
+    std::set<PieceId> slit;
+    for (const SeamId id : bagsOnLines(pattern_)) slit.insert(pattern_.seams.at(id).a.front().piece);
+    for (const PieceId id : slit)
+      steps_.push_back({{},
+                        say("Slit {0} between the seams of its welt pocket and into the corners, and turn welt and "
+                            "bags through.",
+                            nameSaid(document_.find(id)->name))});
   }
   template <class Finishes>
   void along(const Finishes& finishes, const std::function<Message(const Message&)>& words) {

@@ -81,4 +81,16 @@ std::vector<SewnPocket> pocketsOf(const Pattern& pattern) {
   return pockets;
 }
 
+std::vector<SeamId> bagsOnLines(const Pattern& pattern) {
+  std::vector<SeamId> bags;
+  for (const auto& [id, seam] : pattern.seams) {
+    if (seam.tie != Seam::Tie::Pleat || seam.reversed || seam.a.empty() || seam.b.empty()) continue;
+    const PieceId outer = seam.a.front().piece, bag = seam.b.front().piece;
+    if (outer != bag && onInnerLines(pattern, seam.a) &&
+        pattern.pieces.at(bag)->layer < pattern.pieces.at(outer)->layer)
+      bags.push_back(id);
+  }
+  return bags;
+}
+
 }  // namespace karinui

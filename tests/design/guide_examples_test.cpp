@@ -115,6 +115,8 @@ const std::vector<std::pair<std::string, std::string>>& garments() {
       {"fly a=leg_front_left", std::string(kFigure) + "block kind=trousers\n"},
       {"pocket edge=skirt_front", kSkirtBlock},
       {"pocket kind=slant", std::string(kFigure) + "block kind=trousers\n"},
+      {"welt piece=leg_back_left", std::string(kFigure) + "block kind=trousers\n"},
+      {"welt piece=front_left", std::string(kFigure) + "block kind=shirt\n"},
       {"band name=belt", kSkirtBlock},
       {"ring name=cape_left", kFigure},
       {"duplicate piece=front name=back by=0,0,-40cm", ""},

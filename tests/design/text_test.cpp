@@ -129,6 +129,7 @@ struct Dice {
   void fill(Fasten::From& v) { v = static_cast<Fasten::From>(below(5)); }
   void fill(Fasten::Holes& v) { v = static_cast<Fasten::Holes>(below(2)); }
   void fill(SewPocket::Kind& v) { v = static_cast<SewPocket::Kind>(below(2)); }
+  void fill(SewWelt::Kind& v) { v = static_cast<SewWelt::Kind>(below(2)); }
   void fill(EdgeKind& v) { v = static_cast<EdgeKind>(below(4)); }
   void fill(CornerKind& v) { v = static_cast<CornerKind>(below(6)); }
   void fill(Dye& v) {

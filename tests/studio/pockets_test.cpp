@@ -136,6 +136,37 @@ TEST(StudioPockets, TheFrontIsTheOneThatStandsInFront) {
   EXPECT_EQ(pocket->edge.piece.id, piece(w, "panel_2").id);
 }
 
+// A welt pocket where the right button points within a piece, at half centimetres; typed turned, and refused where its
+// bags have no room.
+TEST(StudioPockets, AWeltByTheRightButton) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  openSide(w);
+  const std::size_t before = w.count();
+  w.drag(w.table(), {w.onTable("skirt_front", Flat{0.131, 0.331})}, {}, {}, Qt::RightButton);
+  ASSERT_TRUE(choose(w, "Welt pocket here…")) << w.main().said().toStdString();
+  {
+    Numbers numbers(w);
+    ASSERT_TRUE(numbers);
+    numbers.type("below", "39");
+    w.rest();
+    EXPECT_THAT(numbers.said().toStdString(), HasSubstr("cm have"));
+    EXPECT_FALSE(numbers.make().isEnabled());
+    numbers.type("below", "15");
+    w.rest();
+    EXPECT_EQ(numbers.said(), "");
+    numbers.accept();
+  }
+  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
+  const auto* welt = std::get_if<SewWelt>(&w.session().steps()[before].operation);
+  ASSERT_TRUE(welt);
+  EXPECT_NEAR(welt->at.u, 0.13, 1e-9);
+  EXPECT_NEAR(welt->at.v, 0.33, 1e-9);
+  EXPECT_TRUE(w.session().snapshot().document.pieceNamed("pocket_welt"));
+  w.key(Command::Undo), w.rest();
+  EXPECT_FALSE(w.session().snapshot().document.pieceNamed("pocket_welt"));
+}
+
 // By the menu, for the keys: with an edge chosen.
 TEST(StudioPockets, ByTheMenu) {
   KARINUI_NEEDS_DISPLAY();

@@ -15,4 +15,7 @@ struct SewnPocket {
 // the one edge of the opening; with the other edge the second goes on, or lies beneath with a line.
 std::vector<SewnPocket> pocketsOf(const Pattern& pattern);
 
+// The seams by which bags hang behind lines within a piece, as those of a welt pocket.
+std::vector<SeamId> bagsOnLines(const Pattern& pattern);
+
 }  // namespace karinui

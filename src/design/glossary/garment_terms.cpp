@@ -146,6 +146,7 @@ TermTable wordTerms() {
       {"waist", say("waist")},
       {"waistband", say("waistband")},
       {"waistcoat", say("waistcoat")},
+      {"welt", say("welt")},
       {"wrist", say("sleeve opening")},
       {"yoke", say("yoke")},
       {"zip", say("zip")},

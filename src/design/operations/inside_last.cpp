@@ -64,7 +64,7 @@ Vec3 normalAt(const Stand& stand, Flat place) {
 
 std::optional<Document> laidInto(Document draped, const Document& before, const std::set<PieceId>& inside) {
   // Under the two bags of a pocket there is room for a lining.
-  const double deepest = pocketsOf(before.pattern).empty() ? 2 : 3;
+  const double deepest = pocketsOf(before.pattern).empty() && bagsOnLines(before.pattern).empty() ? 2 : 3;
   for (const PieceId id : inside) {
     const auto was = standingOf(before, beneathWhich(before.pattern, id, inside));
     if (!was || was->mesh.faces.empty()) return std::nullopt;

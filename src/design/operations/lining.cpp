@@ -118,6 +118,10 @@ std::map<PieceId, PieceId> lowestOf(const Document& document, const std::vector<
             for (const PieceId bag : {round.a.front().piece, round.b.front().piece})
               lower(document.find(ref.id)->layer, bag);
   }
+  for (const SeamId id : bagsOnLines(document.pattern))
+    for (const PieceRef& ref : pieces)
+      if (const Seam& seam = *document.find(id); seam.a.front().piece == ref.id)
+        lower(document.find(ref.id)->layer, seam.b.front().piece);
   std::map<PieceId, PieceId> all;
   for (const PieceRef& ref : pieces) all[ref.id] = lowest.at(document.find(ref.id)->layer);
   return all;

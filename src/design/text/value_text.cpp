@@ -59,6 +59,7 @@ constexpr Words<Fasten::From, 5> kFrom{{{{"auto", Fasten::From::Auto},
                                          {"end", Fasten::From::End}}}};
 constexpr Words<Fasten::Holes, 2> kButtonholes{{{{"across", Fasten::Holes::Across}, {"along", Fasten::Holes::Along}}}};
 constexpr Words<SewPocket::Kind, 2> kPockets{{{{"seam", SewPocket::Kind::Seam}, {"slant", SewPocket::Kind::Slant}}}};
+constexpr Words<SewWelt::Kind, 2> kWelts{{{{"jetted", SewWelt::Kind::Jetted}, {"single", SewWelt::Kind::Single}}}};
 constexpr Words<AddPleat::Turned, 4> kTurned{{{{"along", AddPleat::Turned::Along},
                                                {"against", AddPleat::Turned::Against},
                                                {"inwards", AddPleat::Turned::Inwards},
@@ -398,6 +399,8 @@ std::string writeValue(const Fasten::From& value) { return kFrom.write(value); }
 Done readValue(std::string_view text, Fasten::From& value) { return kFrom.read(text, value); }
 std::string writeValue(const SewPocket::Kind& value) { return kPockets.write(value); }
 Done readValue(std::string_view text, SewPocket::Kind& value) { return kPockets.read(text, value); }
+std::string writeValue(const SewWelt::Kind& value) { return kWelts.write(value); }
+Done readValue(std::string_view text, SewWelt::Kind& value) { return kWelts.read(text, value); }
 std::string writeValue(const Fasten::Holes& value) { return kButtonholes.write(value); }
 Done readValue(std::string_view text, Fasten::Holes& value) { return kButtonholes.read(text, value); }
 std::string writeValue(const CornerKind& value) { return kCorners.write(value); }

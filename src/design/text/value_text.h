@@ -64,6 +64,7 @@ KARINUI_VALUE(FasteningKind, "button|snap|hook|tie|zip")
 KARINUI_VALUE(Fasten::From, "auto|top|bottom|start|end")
 KARINUI_VALUE(Fasten::Holes, "across|along")
 KARINUI_VALUE(SewPocket::Kind, "seam|slant")
+KARINUI_VALUE(SewWelt::Kind, "jetted|single")
 KARINUI_VALUE(CornerKind, "mitre|points|mirror_before|mirror_after|square_before|square_after")
 #undef KARINUI_VALUE
 

@@ -56,6 +56,40 @@ struct SewPocket {
   bool operator==(const SewPocket&) const = default;
 };
 
-using PocketOperations = OperationList<SewPocket>;
+// welt piece=leg_back_left at=-1cm,-9cm
+// welt piece=front_left kind=single at=9cm,40cm turn=8deg length=10.5cm below=12cm
+struct SewWelt {
+  static constexpr std::string_view kName = "welt";
+  static constexpr std::string_view kHelp =
+      "Sets a welt pocket into a piece: a slit within a stitched box, which a welt or a pair of narrow ones closes, "
+      "and "
+      "bags that hang behind it.";
+  static constexpr bool kDisturbsDrape = true;
+  PieceRef piece;
+  Flat at;
+  enum class Kind { Jetted, Single } kind = Kind::Jetted;
+  std::string name = "pocket";
+  Angle turn;
+  std::optional<Length> length, width;
+  Length below{0.16};
+  std::string fabric;
+  Choice copies = Choice::Auto;
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("piece", self.piece, "the piece it is set into", kNeeded);
+    visit("at", self.at, "the place on its paper, where the middle of the slit comes", kNeeded);
+    visit("kind", self.kind, "jetted: two narrow welts that meet; single: one that stands up over the slit", kOptional);
+    visit("name", self.name, "before the names of the welt, the bags and the lines", kOptional);
+    visit("turn", self.turn, "how far the slit is turned from level, counter-clockwise", kOptional);
+    visit("length", self.length, "of the opening (otherwise 13.5 cm, of a single welt 10.5 cm)", kOptional);
+    visit("width", self.width, "of the box: both welts together 1 cm, a single one 2.2 cm", kOptional);
+    visit("below", self.below, "how far the bags hang below the box", kOptional);
+    visit("fabric", self.fabric, "of the front bag (otherwise cotton)", kOptional);
+    visit("copies", self.copies, "on the symmetric copy too: auto, yes, no (auto: if there is one like it)", kOptional);
+  }
+  bool operator==(const SewWelt&) const = default;
+};
+
+using PocketOperations = OperationList<SewPocket, SewWelt>;
 
 }  // namespace karinui
