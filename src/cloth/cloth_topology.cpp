@@ -114,4 +114,18 @@ void ClothTopology::sortOppositeSides() {
   std::partial_sum(sidesOf.begin(), sidesOf.end(), sidesOf.begin());
 }
 
+std::vector<std::vector<std::uint32_t>> neighboursOf(const Cloth& cloth) {
+  std::vector<std::vector<std::uint32_t>> near(cloth.nodeCount);
+  const auto join = [&](std::uint32_t a, std::uint32_t b) { near[a].push_back(b), near[b].push_back(a); };
+  for (const ClothPiece& piece : cloth.pieces)
+    for (const Triangle& f : piece.lattice->faces)
+      for (int k = 0; k < 3; ++k) join(piece.firstNode + f[k], piece.firstNode + f[(k + 1) % 3]);
+  for (const Tie& tie : cloth.ties) {
+    join(tie.a, tie.b);
+    if (tie.c != kNoNode) join(tie.a, tie.c);
+  }
+  for (auto& own : near) sortOnce(own);
+  return near;
+}
+
 }  // namespace karinui

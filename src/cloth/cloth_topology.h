@@ -63,4 +63,7 @@ class ClothTopology {
   Incidence near_, over_;
 };
 
+// Each node's neighbours by the edges of the faces, over the seams too; sorted.
+std::vector<std::vector<std::uint32_t>> neighboursOf(const Cloth& cloth);
+
 }  // namespace karinui

@@ -311,13 +311,22 @@ Result<DrapeOutcome> pullOnBody(const Document& document, const PullCloth& pull,
 
 namespace {
 
-// The whole garment as cloth where it stands. Pins go with the cloth, and frozen cloth with the body.
-Result<ClothLevel> carriedCloth(const Document& document) {
+// The whole garment as cloth where it stands, its cells so many times as wide. Pins go with the cloth, and frozen cloth
+// with the body.
+Result<ClothLevel> carriedCloth(const Document& document, double times = 1) {
   Document unpinned = document;
   unpinned.pins.clear();
   std::set<PieceId> all;
   for (const auto& [id, piece] : document.pattern.pieces) all.insert(id);
-  return levelAt(unpinned, all, document.settings.spacing);
+  return levelAt(unpinned, all, times * document.settings.spacing);
+}
+
+// Wider cells that can go a way in place of the garment's own, if there are any.
+std::optional<ClothLevel> widerCells(const Document& document) {
+  constexpr double kTimes = 2;
+  if (!pleatsOf(document.pattern).empty() || kTimes * document.settings.spacing > kCoarsest) return std::nullopt;
+  Result<ClothLevel> level = carriedCloth(document, kTimes);
+  return level ? std::optional(*std::move(level)) : std::nullopt;
 }
 
 Vec3 middleOf(const ClothPiece& piece, const std::vector<Vec3>& places) {
@@ -349,7 +358,9 @@ Result<std::map<PieceId, std::shared_ptr<const Form>>> carriedByBody(const Docum
       watcher = [&](const FollowedPart& part) {
         onlooker({part.share, part.pose, part.skin, [&] { return formsLeft(part.cloth, {part.places}); }});
       };
-    const auto report = follow(*level, skeleton, document.body.pose, to, context.token, context.workers, watcher);
+    const std::optional<ClothLevel> wider = widerCells(document);
+    const auto report = follow(*level, wider ? &wider->cloth : nullptr, skeleton, document.body.pose, to, context.token,
+                               context.workers, watcher);
     if (!report) return report.error();
   }
   return formsLeft(level->cloth, level->state);

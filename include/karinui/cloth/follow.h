@@ -24,8 +24,11 @@ struct FollowReport {
 };
 
 // `level`: the cloth as it stands on the body in the pose `from`; replaced on success. All its pieces should be live.
-Result<FollowReport> follow(ClothLevel& level, const Skeleton& skeleton, const BodyPose& from, const BodyPose& to,
-                            const Token& token, Workers& workers, const FollowWatcher& watcher = {});
+// `wider`: the same garment of wider cells, or null. It goes the way in place of the level, in a third of the time, and
+// the level follows it with its detail; where that fails, the level goes by itself, and the watcher sees the way anew.
+Result<FollowReport> follow(ClothLevel& level, const Cloth* wider, const Skeleton& skeleton, const BodyPose& from,
+                            const BodyPose& to, const Token& token, Workers& workers,
+                            const FollowWatcher& watcher = {});
 
 // The same way for things that are handled as rigid: of each place how the skin nearest to it goes, or the identity
 // where there is none within reach.
