@@ -282,6 +282,8 @@ void StepDialog::fill(const Operation& operation) {
     if (auto* line = qobject_cast<QLineEdit*>(box)) {
       if (help.name == DraftBlock::kName && field.kind == "length")
         line->setPlaceholderText(inWords(say("by the block's own rule")));
+      if (help.name == SewWelt::kName && field.kind == "length" && line->placeholderText().isEmpty())
+        line->setPlaceholderText(inWords(say("by the kind of pocket")));
       connect(line, &QLineEdit::textChanged, this, [this] { show(wished()); });
       const bool place = field.kind == "number" && field.name.ends_with("at");
       const bool number = field.kind == "length" || field.kind == "u,v" || field.kind == "number";

@@ -182,5 +182,27 @@ TEST(StudioPockets, ByTheMenu) {
   EXPECT_EQ(w.session().snapshot().document.pieceNamed("pocket_bag_front")->fabric, "cotton");
 }
 
+// With a piece chosen; the numbers that are left to the kind of pocket say so.
+TEST(StudioPockets, AWeltByTheMenu) {
+  KARINUI_NEEDS_DISPLAY();
+  Window w;
+  openSide(w);
+  w.click(w.table(), w.onTable("skirt_front", Flat{0.13, 0.3}));
+  ASSERT_EQ(w.session().selection().pieces.size(), 1u);
+  const std::size_t before = w.count();
+  fromTheMenu(w, say("Welt pocket in the chosen piece…"));
+  Numbers numbers(w);
+  ASSERT_TRUE(numbers);
+  for (const char* field : {"length", "width"}) {
+    EXPECT_EQ(numbers.line(field).text(), "") << field;
+    EXPECT_EQ(numbers.line(field).placeholderText(), "by the kind of pocket") << field;
+  }
+  numbers.accept();
+  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
+  const auto* welt = std::get_if<SewWelt>(&w.session().steps()[before].operation);
+  ASSERT_TRUE(welt);
+  EXPECT_NEAR(*welt->length, 0.135, 1e-9);
+}
+
 }  // namespace
 }  // namespace karinui::studio
