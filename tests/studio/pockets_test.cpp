@@ -92,21 +92,25 @@ TEST(StudioPockets, SlantedByTheRightButton) {
   EXPECT_TRUE(w.session().snapshot().document.pieceNamed("pocket_side"));
 }
 
+// The piece whose edge a pocket in the seam of a side is set into.
+std::optional<PieceId> pieceOfSeamPocket(Window& w, const char* pointedAt) {
+  const std::size_t before = w.count();
+  menuOn(w, pointedAt, "side");
+  EXPECT_TRUE(choose(w, "Pocket in this seam…")) << w.main().said().toStdString();
+  Numbers numbers(w);
+  if (!numbers) return std::nullopt;
+  numbers.accept();
+  if (w.count() <= before) return std::nullopt;
+  const auto* pocket = std::get_if<SewPocket>(&w.session().steps()[before].operation);
+  return pocket ? std::optional(pocket->edge.piece.id) : std::nullopt;
+}
+
 // The seam is one: on the back's edge of it the same pocket is meant, whose bags hang to the front.
 TEST(StudioPockets, OnTheBackTheyHangToTheFront) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   openSide(w);
-  const std::size_t before = w.count();
-  menuOn(w, "skirt_back", "side");
-  ASSERT_TRUE(choose(w, "Pocket in this seam…")) << w.main().said().toStdString();
-  Numbers numbers(w);
-  ASSERT_TRUE(numbers);
-  numbers.accept();
-  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
-  const auto* pocket = std::get_if<SewPocket>(&w.session().steps()[before].operation);
-  ASSERT_TRUE(pocket);
-  EXPECT_EQ(pocket->edge.piece.id, piece(w, "skirt_front").id);
+  EXPECT_EQ(pieceOfSeamPocket(w, "skirt_back"), piece(w, "skirt_front").id);
 }
 
 // Which of the two is the front is seen by how they stand, not by what they are called.
@@ -124,16 +128,7 @@ TEST(StudioPockets, TheFrontIsTheOneThatStandsInFront) {
   w.main().action(Command::ViewAll)->trigger();
   w.rest();
   w.key(Command::Select);
-  const std::size_t before = w.count();
-  menuOn(w, "panel_1", "side");
-  ASSERT_TRUE(choose(w, "Pocket in this seam…")) << w.main().said().toStdString();
-  Numbers numbers(w);
-  ASSERT_TRUE(numbers);
-  numbers.accept();
-  ASSERT_GT(w.count(), before) << w.main().said().toStdString();
-  const auto* pocket = std::get_if<SewPocket>(&w.session().steps()[before].operation);
-  ASSERT_TRUE(pocket);
-  EXPECT_EQ(pocket->edge.piece.id, piece(w, "panel_2").id);
+  EXPECT_EQ(pieceOfSeamPocket(w, "panel_1"), piece(w, "panel_2").id);
 }
 
 // A welt pocket where the right button points within a piece, at half centimetres; typed turned, and refused where its
