@@ -112,30 +112,38 @@ Block capsuleBlock(const FieldGrid& g, Vec3 p, Vec3 q, double r0, double r1, Wor
 
 // Joins `b` into the grid-like lookup `a` over the corners [x0, x1): a fillet of radius k where the surfaces cross,
 // none where they are tangent (a shoulder does not bulge) or face each other (thighs, an arm along the ribs: no web
-// between).
-template <class A, class B, class Put>
+// between). `bFar` tells of a row (x, y) along which b is far off and without slope.
+template <class A, class B, class Far, class Put>
 void smoothUnion(int x0, int x1, int y0, int y1, int z0, int z1, double cell, double k, const A& a, const B& b,
-                 const Put& put, Workers& workers) {
+                 const Far& bFar, const Put& put, Workers& workers) {
+  const auto fillet = [](float va, float vb, double reach) {
+    const double h = std::max(reach - std::abs(double{va} - double{vb}), 0.0) / reach;
+    return static_cast<float>(h * h * reach / 4);
+  };
   workers.forBlocks(static_cast<std::size_t>(std::max(0, x1 - x0)), 1, [&](std::size_t begin, std::size_t end) {
     for (int x = x0 + static_cast<int>(begin); x < x0 + static_cast<int>(end); ++x)
-      for (int y = y0; y < y1; ++y)
+      for (int y = y0; y < y1; ++y) {
+        const bool far = bFar(x, y);
         for (int z = z0; z < z1; ++z) {
-          const float va = a(x, y, z), vb = b(x, y, z);
+          const float va = a(x, y, z), vb = far ? kFar : b(x, y, z);
           float joined = std::min(va, vb);
           if (std::abs(va - vb) < 2.4 * k) {
-            const auto slope = [&](const auto& f) {
-              return Vec3{f(x + 1, y, z) - f(x - 1, y, z), f(x, y + 1, z) - f(x, y - 1, z),
-                          f(x, y, z + 1) - f(x, y, z - 1)};
-            };
-            const Vec3 ga = slope(a), gb = slope(b);
-            const double size = std::sqrt(squaredLength(ga) * squaredLength(gb));
-            const double cosine = dot(ga, gb) / std::max(size, 1e-6 * cell * cell);
-            const double reach = std::max(k * (1 - std::min(cosine * cosine, 1.0)), 1e-5);
-            const double h = std::max(reach - std::abs(double{va} - double{vb}), 0.0) / reach;
-            joined -= static_cast<float>(h * h * reach / 4);
+            double reach = k;
+            if (!far) {
+              const auto slope = [&](const auto& f) {
+                return Vec3{f(x + 1, y, z) - f(x - 1, y, z), f(x, y + 1, z) - f(x, y - 1, z),
+                            f(x, y, z + 1) - f(x, y, z - 1)};
+              };
+              const Vec3 ga = slope(a), gb = slope(b);
+              const double size = std::sqrt(squaredLength(ga) * squaredLength(gb));
+              const double cosine = dot(ga, gb) / std::max(size, 1e-6 * cell * cell);
+              reach = std::max(k * (1 - std::min(cosine * cosine, 1.0)), 1e-5);
+            }
+            joined -= fillet(va, vb, reach);
           }
           put(x, y, z, joined);
         }
+      }
   });
 }
 
@@ -179,7 +187,7 @@ class FieldMaker {
     const Values before = g_.value;
     smoothUnion(
         std::max(0, x0), std::min(x1, static_cast<int>(g_.nx)), box.y0, box.y1, box.z0, box.z1, g_.cell, k,
-        [&](int x, int y, int z) { return at(before, x, y, z); }, b,
+        [&](int x, int y, int z) { return at(before, x, y, z); }, b, [](int, int) { return false; },
         [&](int x, int y, int z, float v) { g_.value[g_.index(x, y, z)] = v; }, workers_);
   }
 
@@ -236,6 +244,7 @@ Block joined(const FieldGrid& g, const Block& a, const Block& b, double k, Worke
   smoothUnion(
       out.x0, out.x1, out.y0, out.y1, out.z0, out.z1, g.cell, k, [&](int x, int y, int z) { return a.at(x, y, z); },
       [&](int x, int y, int z) { return b.at(x, y, z); },
+      [&](int x, int y) { return x < b.x0 - 1 || x > b.x1 || y < b.y0 - 1 || y > b.y1; },
       [&](int x, int y, int z, float v) { out.value[out.index(x, y, z)] = v; }, workers);
   return out;
 }

@@ -53,14 +53,57 @@ Tube::Tube(const std::vector<Section>& stations, Harmonics harmonics) : harmonic
                           [&](const Section& s) { return squaredLength(s.normal - ring_[0].normal) < 1e-24; });
   for (std::size_t i = 1; i < ring_.size(); ++i)
     parallel_ = parallel_ && dot(ring_[i].centre - ring_[i - 1].centre, ring_[0].normal) > 0;
+  upright_ = parallel_ && std::all_of(ring_.begin(), ring_.end(), [](const Section& s) { return s.normal.z == 0; });
   for (std::size_t i = 0; i + 1 < ring_.size(); ++i)
     reach_.push_back(std::max(ring_[i].shape[0], ring_[i + 1].shape[0]) * 2.2 + kPad +
                      distance(ring_[i].centre, ring_[i + 1].centre));
 }
 
+bool Tube::between(Vec3 p, std::size_t k, Along& along) const {
+  const double before = beyond(p, k), now = beyond(p, k + 1);
+  if (!(before >= 0 && now < 0)) return false;
+  along = {k, before / std::max(before - now, 1e-12), lerp(level_[k].centre, level_[k + 1].centre, 0.5), reach_[k]};
+  return true;
+}
+
+Tube::Along Tube::shortOfFirst(Vec3 p) const {
+  const double first = beyond(p, 0);
+  if (!(first < 0 && first > -kPad)) return {};
+  return {0, 0, ring_[0].centre, ring_[0].shape[0] * 2.2 + kPad};
+}
+
+Tube::Along Tube::pastLast(Vec3 p) const {
+  const std::size_t n = ring_.size();
+  const double last = beyond(p, n - 1);
+  if (!(last >= 0 && last < kPad)) return {};
+  return {n - 2, 1, ring_[n - 1].centre, ring_[n - 1].shape[0] * 2.2 + kPad};
+}
+
+// The only interval there can be is found by halving.
+Tube::Along Tube::alongParallel(Vec3 p) const {
+  std::size_t start = 0, end = ring_.size() - 1;
+  while (end - start > 1) {
+    const std::size_t middle = (start + end) / 2;
+    (beyond(p, middle) >= 0 ? start : end) = middle;
+  }
+  Along along;
+  if (between(p, start, along)) return along;
+  along = shortOfFirst(p);
+  return along.reach < 0 ? pastLast(p) : along;
+}
+
+Section Tube::sectionAt(const Along& along) const {
+  return blended(ring_[along.interval], ring_[along.interval + 1], along.t, harmonics_.coefficients());
+}
+
 void Tube::narrow(double x, double y, Column& to) const {
   to.interval.clear();
-  if (parallel_) return;  // found by halving
+  if (upright_) {
+    to.along = alongParallel({x, y, 0});
+    if (to.along.reach >= 0) to.here = sectionAt(to.along);
+    return;
+  }
+  if (parallel_) return;
   for (std::size_t k = 0; k < reach_.size(); ++k) {
     const Vec3 middle = lerp(level_[k].centre, level_[k + 1].centre, 0.5);
     const double dx = x - middle.x, dy = y - middle.y;
@@ -69,46 +112,29 @@ void Tube::narrow(double x, double y, Column& to) const {
 }
 
 Tube::Value Tube::at(Vec3 p, const Column& column) const {
-  const std::size_t n = ring_.size();
-  const auto beyond = [&](std::size_t k) { return dot(p - level_[k].centre, level_[k].normal); };
-  const double first = beyond(0), last = beyond(n - 1);
-  const auto within = [&](Vec3 centre, double reach) { return squaredLength(p - centre) < reach * reach; };
-  Value out;
-  std::size_t low = n;
-  double t = 0;
-  const auto lies = [&](std::size_t k) {
-    const double before = beyond(k), now = beyond(k + 1);
-    if (!(before >= 0 && now < 0 && within(lerp(level_[k].centre, level_[k + 1].centre, 0.5), reach_[k]))) return false;
-    low = k;
-    t = before / std::max(before - now, 1e-12);
-    return true;
+  const auto within = [&](const Along& along) {
+    return along.reach >= 0 && squaredLength(p - along.middle) < along.reach * along.reach;
   };
-  if (parallel_) {  // the only interval there can be
-    std::size_t start = 0, end = n - 1;
-    while (end - start > 1) {
-      const std::size_t middle = (start + end) / 2;
-      (beyond(middle) >= 0 ? start : end) = middle;
-    }
-    lies(start);
+  Along along;
+  if (upright_) {
+    along = column.along;
+  } else if (parallel_) {
+    along = alongParallel(p);
   } else {
+    bool found = false;
     for (const std::uint32_t k : column.interval)
-      if (lies(k)) break;
+      if ((found = between(p, k, along) && within(along))) break;
+    if (!found) found = within(along = shortOfFirst(p));
+    if (!found) along = pastLast(p);
   }
-  if (low == n) {
-    if (first < 0 && first > -kPad && within(ring_[0].centre, ring_[0].shape[0] * 2.2 + kPad)) {
-      low = 0, t = 0;
-    } else if (last >= 0 && last < kPad && within(ring_[n - 1].centre, ring_[n - 1].shape[0] * 2.2 + kPad)) {
-      low = n - 2, t = 1;
-    } else {
-      return out;
-    }
-  }
-  const Section here = blended(ring_[low], ring_[low + 1], t, harmonics_.coefficients());
+  Value out;
+  if (!within(along)) return out;
+  const Section here = upright_ ? column.here : sectionAt(along);
   const Vec3 q = p - here.centre;
   const double a = dot(q, here.front), b = dot(q, here.side), far = std::sqrt(a * a + b * b);
   const double cosine = far > 0 ? a / far : 1, sine = far > 0 ? b / far : 0;
   out.across = std::min(kNowhere, far - radius(here.shape, harmonics_, cosine, sine));
-  out.cap = std::max(-first, last);
+  out.cap = std::max(-beyond(p, 0), beyond(p, ring_.size() - 1));
   return out;
 }
 

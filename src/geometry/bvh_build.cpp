@@ -27,33 +27,36 @@ void include(Box& box, const Box& other) {
   box.include(other.high);
 }
 
-Box boxOfFace(const BvhFace& f) {
-  Box box;
-  for (Vec3 p : f.corners) box.include(p);
-  return box;
-}
-
+// Sorts numbers of faces; what is asked of a face at every level is found once.
 class Builder {
  public:
-  explicit Builder(BvhArrays& out) : out_(out) {}
+  Builder(const std::vector<BvhFace>& faces, std::vector<BvhNode>& nodes)
+      : nodes_(nodes), box_(faces.size()), middle_(faces.size()), order_(faces.size()), bin_(faces.size()) {
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+      for (const Vec3 p : faces[f].corners) box_[f].include(p);
+      middle_[f] = middleOf(faces[f].corners);
+      order_[f] = f;
+    }
+  }
+  const std::vector<std::uint32_t>& order() const { return order_; }  // that of the leaves
 
   void build(std::uint32_t begin, std::uint32_t end, std::size_t depth) {
-    const std::size_t self = out_.nodes.size();
-    out_.nodes.emplace_back();
+    const std::size_t self = nodes_.size();
+    nodes_.emplace_back();
     Box box, middles;
     for (std::uint32_t i = begin; i < end; ++i) {
-      include(box, boxOfFace(out_.faces[i]));
-      middles.include(middleOf(out_.faces[i].corners));
+      include(box, box_[order_[i]]);
+      middles.include(middle_[order_[i]]);
     }
-    out_.nodes[self].box = box;
+    nodes_[self].box = box;
     if (end - begin <= kLeafFaces) {
-      out_.nodes[self].first = begin;
-      out_.nodes[self].count = end - begin;
+      nodes_[self].first = begin;
+      nodes_[self].count = end - begin;
       return;
     }
     const std::uint32_t split = depth < kHalveBeyond ? cheapestSplit(begin, end, middles) : halve(begin, end, middles);
     build(begin, split, depth + 1);
-    out_.nodes[self].first = static_cast<std::uint32_t>(out_.nodes.size());
+    nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
     build(split, end, depth + 1);
   }
 
@@ -66,10 +69,10 @@ class Builder {
   std::uint32_t halve(std::uint32_t begin, std::uint32_t end, const Box& middles) {
     const int axis = longestAxis(middles);
     const std::uint32_t half = begin + (end - begin) / 2;
-    std::nth_element(out_.faces.begin() + begin, out_.faces.begin() + half, out_.faces.begin() + end,
-                     [&](const BvhFace& a, const BvhFace& b) {
-                       const double x = axisOf(middleOf(a.corners), axis), y = axisOf(middleOf(b.corners), axis);
-                       return x != y ? x < y : a.face < b.face;
+    std::nth_element(order_.begin() + begin, order_.begin() + half, order_.begin() + end,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const double x = axisOf(middle_[a], axis), y = axisOf(middle_[b], axis);
+                       return x != y ? x < y : a < b;
                      });
     return half;
   }
@@ -80,15 +83,14 @@ class Builder {
     const int axis = longestAxis(middles);
     const double low = axisOf(middles.low, axis), extent = axisOf(middles.size(), axis);
     if (!(extent > 0)) return begin + (end - begin) / 2;
-    const auto binOf = [&](const BvhFace& f) {
-      const double x = (axisOf(middleOf(f.corners), axis) - low) / extent * kBins;
-      return x > 0 ? std::min(static_cast<int>(std::fmin(x, kBins)), kBins - 1) : 0;  // not a number: the first bin
-    };
     std::array<Box, kBins> boxes;
     std::array<std::uint32_t, kBins> counts{};
     for (std::uint32_t i = begin; i < end; ++i) {
-      const int bin = binOf(out_.faces[i]);
-      include(boxes[bin], boxOfFace(out_.faces[i]));
+      const double x = (axisOf(middle_[order_[i]], axis) - low) / extent * kBins;
+      const int bin =
+          x > 0 ? std::min(static_cast<int>(std::fmin(x, kBins)), kBins - 1) : 0;  // not a number: the first
+      bin_[i] = static_cast<std::uint8_t>(bin);
+      include(boxes[bin], box_[order_[i]]);
       ++counts[bin];
     }
     std::array<double, kBins> costBelow{};  // of everything in the bins before this one
@@ -113,12 +115,22 @@ class Builder {
       }
     }
     if (best == 0) return halve(begin, end, middles);
-    const auto split = std::stable_partition(out_.faces.begin() + begin, out_.faces.begin() + end,
-                                             [&](const BvhFace& f) { return binOf(f) < best; });
-    return static_cast<std::uint32_t>(split - out_.faces.begin());
+    std::uint32_t split = begin;
+    above_.clear();
+    for (std::uint32_t i = begin; i < end; ++i)  // each side in its order
+      if (bin_[i] < best)
+        order_[split++] = order_[i];
+      else
+        above_.push_back(order_[i]);
+    std::copy(above_.begin(), above_.end(), order_.begin() + split);
+    return split;
   }
 
-  BvhArrays& out_;
+  std::vector<BvhNode>& nodes_;
+  std::vector<Box> box_;
+  std::vector<Vec3> middle_;
+  std::vector<std::uint32_t> order_, above_;
+  std::vector<std::uint8_t> bin_;  // of the places in `order_`
 };
 
 // Children follow their parent in the array, so one walk from the back has them ready.
@@ -157,14 +169,18 @@ void measureDipoles(BvhArrays& tree) {
 BvhArrays buildBvh(const TriangleMesh& mesh) {
   BvhArrays tree;
   if (mesh.faces.empty()) return tree;
-  tree.faces.reserve(mesh.faces.size());
+  std::vector<BvhFace> faces;
+  faces.reserve(mesh.faces.size());
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
     const Triangle& t = mesh.faces[f];
     for (std::uint32_t i : t) KARINUI_ASSERT(i < mesh.points.size());
-    tree.faces.push_back({{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]}, f});
+    faces.push_back({{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]}, f});
   }
   tree.nodes.reserve(mesh.faces.size());
-  Builder(tree).build(0, static_cast<std::uint32_t>(mesh.faces.size()), 0);
+  Builder builder(faces, tree.nodes);
+  builder.build(0, static_cast<std::uint32_t>(faces.size()), 0);
+  tree.faces.reserve(faces.size());
+  for (const std::uint32_t f : builder.order()) tree.faces.push_back(faces[f]);
   measureDipoles(tree);
   return tree;
 }

@@ -1,6 +1,7 @@
 #include "karinui/geometry/section.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -17,6 +18,35 @@ using CutEdge = std::pair<std::uint32_t, std::uint32_t>;
 struct Cut {
   CutEdge from, to;
   std::uint32_t face = 0;
+};
+
+constexpr std::uint32_t kNone = ~0u;
+
+// The cuts that start on an edge, in the order of faces: a hash table with linear probing.
+class CutsByStart {
+ public:
+  explicit CutsByStart(const std::vector<Cut>& cuts)
+      : cuts_(cuts), slot_(std::bit_ceil(2 * cuts.size() + 1), kNone), later_(cuts.size()) {
+    for (auto i = static_cast<std::uint32_t>(cuts.size()); i-- > 0;) {
+      std::uint32_t& first = slot_[slotOf(cuts[i].from)];
+      later_[i] = first;
+      first = i;
+    }
+  }
+  std::uint32_t first(const CutEdge& edge) const { return slot_[slotOf(edge)]; }  // kNone: there is none
+  std::uint32_t after(std::uint32_t cut) const { return later_[cut]; }
+
+ private:
+  std::size_t slotOf(const CutEdge& edge) const {
+    const std::size_t mask = slot_.size() - 1;
+    std::size_t at =
+        (edge.first * std::size_t{0x9E3779B97F4A7C15} + edge.second * std::size_t{0xC2B2AE3D27D4EB4F}) >> 32;
+    for (at &= mask; slot_[at] != kNone && cuts_[slot_[at]].from != edge;) at = (at + 1) & mask;
+    return at;
+  }
+
+  const std::vector<Cut>& cuts_;
+  std::vector<std::uint32_t> slot_, later_;
 };
 
 CutEdge named(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
@@ -82,14 +112,10 @@ std::vector<SectionLoop> section(const TriangleMesh& mesh, const Plane& plane) {
   for (std::size_t i = 0; i < height.size(); ++i) height[i] = dot(mesh.points[i] - plane.through, plane.normal);
   const std::vector<Cut> cuts = cutFaces(mesh, height);
 
-  // Cuts in the order of the edge they start on, those of one edge in the order of faces; and the edges where one ends.
-  std::vector<std::size_t> starting(cuts.size());
-  std::iota(starting.begin(), starting.end(), std::size_t{0});
-  std::stable_sort(starting.begin(), starting.end(),
-                   [&](std::size_t a, std::size_t b) { return cuts[a].from < cuts[b].from; });
-  std::vector<CutEdge> ending(cuts.size());
-  std::transform(cuts.begin(), cuts.end(), ending.begin(), [](const Cut& cut) { return cut.to; });
-  std::sort(ending.begin(), ending.end());
+  const CutsByStart starting(cuts);
+  std::vector<bool> entered(cuts.size(), false);  // where another cut ends on the edge one starts on
+  for (const Cut& cut : cuts)
+    for (std::uint32_t i = starting.first(cut.to); i != kNone && !entered[i]; i = starting.after(i)) entered[i] = true;
   const auto placeOn = [&](CutEdge e) {
     const double a = height[e.first], b = height[e.second];
     return lerp(mesh.points[e.first], mesh.points[e.second], a / (a - b));
@@ -97,29 +123,28 @@ std::vector<SectionLoop> section(const TriangleMesh& mesh, const Plane& plane) {
 
   std::vector<bool> used(cuts.size(), false);
   std::vector<SectionLoop> loops;
-  const auto follow = [&](std::size_t first) {
+  const auto follow = [&](std::uint32_t first) {
     SectionLoop loop;
-    for (std::size_t i = first;;) {
+    for (std::uint32_t i = first;;) {
       used[i] = true;
       loop.points.push_back(placeOn(cuts[i].from));
       loop.faces.push_back(cuts[i].face);
       if (cuts[i].to == cuts[first].from) break;
-      auto next = std::lower_bound(starting.begin(), starting.end(), cuts[i].to,
-                                   [&](std::size_t cut, const CutEdge& edge) { return cuts[cut].from < edge; });
-      while (next != starting.end() && cuts[*next].from == cuts[i].to && used[*next]) ++next;
-      if (next == starting.end() || cuts[*next].from != cuts[i].to) {
+      std::uint32_t next = starting.first(cuts[i].to);
+      while (next != kNone && used[next]) next = starting.after(next);
+      if (next == kNone) {
         loop.points.push_back(placeOn(cuts[i].to));
         loop.closed = false;
         break;
       }
-      i = *next;
+      i = next;
     }
     loops.push_back(std::move(loop));
   };
   // Open lines first, from the edges where nothing ends; what is left runs in circles.
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-    if (!used[i] && !std::binary_search(ending.begin(), ending.end(), cuts[i].from)) follow(i);
-  for (std::size_t i = 0; i < cuts.size(); ++i)
+  for (std::uint32_t i = 0; i < cuts.size(); ++i)
+    if (!used[i] && !entered[i]) follow(i);
+  for (std::uint32_t i = 0; i < cuts.size(); ++i)
     if (!used[i]) follow(i);
   std::sort(loops.begin(), loops.end(),
             [](const SectionLoop& a, const SectionLoop& b) { return a.faces.front() < b.faces.front(); });
