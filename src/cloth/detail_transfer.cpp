@@ -106,12 +106,17 @@ void DetailTransfer::turnTo(std::span<const Vec3> places, Workers& workers) {
 
 std::vector<Vec3> DetailTransfer::at(std::span<const Vec3> places, Workers& workers) {
   turnTo(places, workers);
+  return at(places, std::vector<double>(places_.size(), 1), workers);
+}
+
+std::vector<Vec3> DetailTransfer::at(std::span<const Vec3> places, std::span<const double> share,
+                                     Workers& workers) const {
   std::vector<Vec3> out(places_.size());
   workers.forBlocks(out.size(), kNodeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
       for (int c = 0; c < 3; ++c) {
         const std::uint32_t n = places_[k].node[c];
-        out[k] += (places[n] + turns_[n](places_[k].offset[c])) * places_[k].weight[c];
+        out[k] += (places[n] + turns_[n](places_[k].offset[c]) * share[k]) * places_[k].weight[c];
       }
   });
   return out;

@@ -20,6 +20,11 @@ class DetailTransfer {
   // Where the fine nodes are when the coarse ones are at `places`. The turns are found from those of the call before:
   // the cloth should be shown on its way, not only at the end of it.
   std::vector<Vec3> at(std::span<const Vec3> places, Workers& workers);
+  // The same with the turns of the last call, and at each fine node with such a share of its detail: 1 all of it, 0
+  // none, so that it lies on a coarse face.
+  std::vector<Vec3> at(std::span<const Vec3> places, std::span<const double> share, Workers& workers) const;
+  // The coarse nodes around a fine one.
+  const std::array<std::uint32_t, 3>& around(std::size_t fine) const { return places_[fine].node; }
 
  private:
   // The turn of the cloth around each coarse node.

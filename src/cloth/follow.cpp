@@ -6,6 +6,7 @@
 
 #include "cloth/detail_transfer.h"
 #include "cloth/finish.h"
+#include "cloth/flat_folds.h"
 #include "cloth/input_check.h"
 #include "cloth/penetration.h"
 #include "cloth/pose_way.h"
@@ -167,16 +168,15 @@ Result<std::optional<FollowReport>> followWider(ClothLevel& level, const Cloth& 
   LevelOnSkin wide(wider, detail.start(), going.skin, workers);
   if (static_cast<double>(wide.crossings()) > kFewCross * wider.nodeCount) return std::optional<FollowReport>();
   bool caught = false;
-  std::vector<Vec3> places;
   const auto gone = goAlong(going, wide, wider, token, workers, [&](const std::vector<Vec3>& x) {
     caught = mostDrawnOut(wider, x).times > kCaughtInFold;
     if (caught) return false;
-    places = detail.at(x, workers);
+    std::vector<Vec3> places = detail.at(x, workers);
     if (told.reached(going.way.share())) {
-      std::vector<Vec3> shown(places.size());
-      keepOutOfSkin(places, shown, going.skin, workers);
-      for (std::size_t k = 0; k < places.size(); ++k) shown[k] += places[k];
-      told.show(going, level.cloth, shown);
+      std::vector<Vec3> out(places.size());
+      keepOutOfSkin(places, out, going.skin, workers);
+      for (std::size_t k = 0; k < places.size(); ++k) places[k] += out[k];
+      told.show(going, level.cloth, places);
     }
     return true;
   });
@@ -184,7 +184,7 @@ Result<std::optional<FollowReport>> followWider(ClothLevel& level, const Cloth& 
   if (!gone || caught) return std::optional<FollowReport>();
 
   going.skin.buildTree();
-  LevelOnSkin fine(level.cloth, std::move(places), going.skin, workers);
+  LevelOnSkin fine(level.cloth, withFlatFolds(detail, level.cloth, wider, wide.places(), workers), going.skin, workers);
   fine.leaveSkin();
   bool crosses = fine.crosses();
   for (int k = 1; k <= kLeastSteps || (crosses && k <= kMostSteps); ++k) {
