@@ -38,11 +38,6 @@ double squaredDistance(const Box& box, Vec3 p) {
   return x * x + y * y + z * z;
 }
 
-bool meet(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 Vec3 weighted(const Corners& c, const std::array<double, 3>& w) { return c[0] * w[0] + c[1] * w[1] + c[2] * w[2]; }
 
 // A ray prepared for S. Woop, C. Benthin and I. Wald, "Watertight Ray/Triangle Intersection", 2013: turned and sheared

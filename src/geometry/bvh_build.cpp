@@ -27,36 +27,35 @@ void include(Box& box, const Box& other) {
   box.include(other.high);
 }
 
-// Sorts numbers of faces; what is asked of a face at every level is found once.
+// A face while the tree is built, with all that is asked of it again and again.
+struct Sorted {
+  Box box;
+  Vec3 middle;
+  std::uint32_t face = 0;
+  int bin = 0;  // of the node that is split
+};
+
 class Builder {
  public:
-  Builder(const std::vector<BvhFace>& faces, std::vector<BvhNode>& nodes)
-      : nodes_(nodes), box_(faces.size()), middle_(faces.size()), order_(faces.size()), bin_(faces.size()) {
-    for (std::uint32_t f = 0; f < faces.size(); ++f) {
-      for (const Vec3 p : faces[f].corners) box_[f].include(p);
-      middle_[f] = middleOf(faces[f].corners);
-      order_[f] = f;
-    }
-  }
-  const std::vector<std::uint32_t>& order() const { return order_; }  // that of the leaves
+  Builder(BvhArrays& out, std::vector<Sorted>& faces) : out_(out), faces_(faces) {}
 
   void build(std::uint32_t begin, std::uint32_t end, std::size_t depth) {
-    const std::size_t self = nodes_.size();
-    nodes_.emplace_back();
+    const std::size_t self = out_.nodes.size();
+    out_.nodes.emplace_back();
     Box box, middles;
     for (std::uint32_t i = begin; i < end; ++i) {
-      include(box, box_[order_[i]]);
-      middles.include(middle_[order_[i]]);
+      include(box, faces_[i].box);
+      middles.include(faces_[i].middle);
     }
-    nodes_[self].box = box;
+    out_.nodes[self].box = box;
     if (end - begin <= kLeafFaces) {
-      nodes_[self].first = begin;
-      nodes_[self].count = end - begin;
+      out_.nodes[self].first = begin;
+      out_.nodes[self].count = end - begin;
       return;
     }
     const std::uint32_t split = depth < kHalveBeyond ? cheapestSplit(begin, end, middles) : halve(begin, end, middles);
     build(begin, split, depth + 1);
-    nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
+    out_.nodes[self].first = static_cast<std::uint32_t>(out_.nodes.size());
     build(split, end, depth + 1);
   }
 
@@ -69,10 +68,10 @@ class Builder {
   std::uint32_t halve(std::uint32_t begin, std::uint32_t end, const Box& middles) {
     const int axis = longestAxis(middles);
     const std::uint32_t half = begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + half, order_.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       const double x = axisOf(middle_[a], axis), y = axisOf(middle_[b], axis);
-                       return x != y ? x < y : a < b;
+    std::nth_element(faces_.begin() + begin, faces_.begin() + half, faces_.begin() + end,
+                     [&](const Sorted& a, const Sorted& b) {
+                       const double x = axisOf(a.middle, axis), y = axisOf(b.middle, axis);
+                       return x != y ? x < y : a.face < b.face;
                      });
     return half;
   }
@@ -83,14 +82,15 @@ class Builder {
     const int axis = longestAxis(middles);
     const double low = axisOf(middles.low, axis), extent = axisOf(middles.size(), axis);
     if (!(extent > 0)) return begin + (end - begin) / 2;
+    const auto binOf = [&](const Sorted& f) {
+      const double x = (axisOf(f.middle, axis) - low) / extent * kBins;
+      return x > 0 ? std::min(static_cast<int>(std::fmin(x, kBins)), kBins - 1) : 0;  // not a number: the first bin
+    };
     std::array<Box, kBins> boxes;
     std::array<std::uint32_t, kBins> counts{};
     for (std::uint32_t i = begin; i < end; ++i) {
-      const double x = (axisOf(middle_[order_[i]], axis) - low) / extent * kBins;
-      const int bin =
-          x > 0 ? std::min(static_cast<int>(std::fmin(x, kBins)), kBins - 1) : 0;  // not a number: the first
-      bin_[i] = static_cast<std::uint8_t>(bin);
-      include(boxes[bin], box_[order_[i]]);
+      const int bin = faces_[i].bin = binOf(faces_[i]);
+      include(boxes[bin], faces_[i].box);
       ++counts[bin];
     }
     std::array<double, kBins> costBelow{};  // of everything in the bins before this one
@@ -115,22 +115,20 @@ class Builder {
       }
     }
     if (best == 0) return halve(begin, end, middles);
+    aside_.clear();
     std::uint32_t split = begin;
-    above_.clear();
-    for (std::uint32_t i = begin; i < end; ++i)  // each side in its order
-      if (bin_[i] < best)
-        order_[split++] = order_[i];
+    for (std::uint32_t i = begin; i < end; ++i)
+      if (faces_[i].bin < best)
+        faces_[split++] = faces_[i];
       else
-        above_.push_back(order_[i]);
-    std::copy(above_.begin(), above_.end(), order_.begin() + split);
+        aside_.push_back(faces_[i]);
+    std::copy(aside_.begin(), aside_.end(), faces_.begin() + split);
     return split;
   }
 
-  std::vector<BvhNode>& nodes_;
-  std::vector<Box> box_;
-  std::vector<Vec3> middle_;
-  std::vector<std::uint32_t> order_, above_;
-  std::vector<std::uint8_t> bin_;  // of the places in `order_`
+  BvhArrays& out_;
+  std::vector<Sorted>& faces_;
+  std::vector<Sorted> aside_;
 };
 
 // Children follow their parent in the array, so one walk from the back has them ready.
@@ -169,18 +167,18 @@ void measureDipoles(BvhArrays& tree) {
 BvhArrays buildBvh(const TriangleMesh& mesh) {
   BvhArrays tree;
   if (mesh.faces.empty()) return tree;
-  std::vector<BvhFace> faces;
-  faces.reserve(mesh.faces.size());
+  std::vector<Sorted> sorted(mesh.faces.size());
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    const Triangle& t = mesh.faces[f];
-    for (std::uint32_t i : t) KARINUI_ASSERT(i < mesh.points.size());
-    faces.push_back({{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]}, f});
+    for (std::uint32_t i : mesh.faces[f]) KARINUI_ASSERT(i < mesh.points.size());
+    const Corners corners = cornersOf(mesh, mesh.faces[f]);
+    for (const Vec3 p : corners) sorted[f].box.include(p);
+    sorted[f].middle = middleOf(corners);
+    sorted[f].face = f;
   }
   tree.nodes.reserve(mesh.faces.size());
-  Builder builder(faces, tree.nodes);
-  builder.build(0, static_cast<std::uint32_t>(faces.size()), 0);
-  tree.faces.reserve(faces.size());
-  for (const std::uint32_t f : builder.order()) tree.faces.push_back(faces[f]);
+  Builder(tree, sorted).build(0, static_cast<std::uint32_t>(mesh.faces.size()), 0);
+  tree.faces.reserve(mesh.faces.size());
+  for (const Sorted& one : sorted) tree.faces.push_back({cornersOf(mesh, mesh.faces[one.face]), one.face});
   measureDipoles(tree);
   return tree;
 }

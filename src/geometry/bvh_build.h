@@ -8,6 +8,11 @@
 
 namespace karinui {
 
+inline bool meet(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
 struct BvhNode {
   Box box;
   std::uint32_t first = 0;  // leaf: its first face in leaf order; else: the right child (the left one follows the node)

@@ -8,6 +8,7 @@
 #include <queue>
 #include <tuple>
 
+#include "geometry/face_sides.h"
 #include "geometry/unfold_strip.h"
 
 namespace karinui {
@@ -140,27 +141,13 @@ SurfacePoint along(const TriangleMesh& mesh, const SurfacePath& path, double fra
 }
 
 SurfaceGuide::SurfaceGuide(const TriangleMesh& mesh) : mesh_(&mesh), across_(mesh.faces.size(), {kNone, kNone, kNone}) {
-  struct Side {
-    std::uint32_t low, high, face;
-    int k;
-  };
-  std::vector<Side> sides;
-  sides.reserve(mesh.faces.size() * 3);
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.faces[f][static_cast<std::size_t>(k)],
-                          b = mesh.faces[f][static_cast<std::size_t>((k + 1) % 3)];
-      sides.push_back({std::min(a, b), std::max(a, b), f, k});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.face, a.k) < std::tie(b.low, b.high, b.face, b.k);
-  });
+  const std::vector<FaceSide> sides = sidesByEdge(mesh);
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t j = i;
-    while (j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high) ++j;
+    while (j < sides.size() && sides[j].sameEdge(sides[i])) ++j;
     if (j - i == 2) {  // an edge of three or more faces is nobody's way
-      across_[sides[i].face][static_cast<std::size_t>(sides[i].k)] = sides[i + 1].face;
-      across_[sides[i + 1].face][static_cast<std::size_t>(sides[i + 1].k)] = sides[i].face;
+      across_[sides[i].face][sides[i].from] = sides[i + 1].face;
+      across_[sides[i + 1].face][sides[i + 1].from] = sides[i].face;
     }
     i = j;
   }

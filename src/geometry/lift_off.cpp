@@ -3,6 +3,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/face_sides.h"
 #include "karinui/base/sort_once.h"
 
 #include "karinui/geometry/patch.h"
@@ -52,21 +53,10 @@ std::vector<Vec3> smoothed(std::vector<Vec3> normals, const Neighbours& near, in
 // Points of faces that turn sharply against a neighbour.
 std::vector<std::uint8_t> folded(const TriangleMesh& mesh) {
   std::vector<std::uint8_t> bad(mesh.points.size(), 0);
-  struct Side {
-    std::uint32_t low, high, face;
-  };
-  std::vector<Side> sides;
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.faces[f][k], b = mesh.faces[f][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), f});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
-  });
+  const std::vector<FaceSide> sides = sidesByEdge(mesh);
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    const Side &a = sides[i], &b = sides[i + 1];
-    if (a.low != b.low || a.high != b.high || dot(faceNormal(mesh, a.face), faceNormal(mesh, b.face)) > 0.2) continue;
+    const FaceSide &a = sides[i], &b = sides[i + 1];
+    if (!a.sameEdge(b) || dot(faceNormal(mesh, a.face), faceNormal(mesh, b.face)) > 0.2) continue;
     for (std::uint32_t f : {a.face, b.face})
       for (std::uint32_t v : mesh.faces[f]) bad[v] = 1;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/face_sides.h"
 #include "karinui/base/result.h"
 
 namespace karinui {
@@ -14,26 +15,6 @@ Vec3 areaNormal(const TriangleMesh& mesh, const Triangle& f) {
 }
 
 double angleBetween(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
-
-// One side of one face, named by its lower and higher end so that the two faces of an edge sort together.
-struct Side {
-  std::uint32_t low, high, face;
-  bool forward;  // the face runs from low to high
-};
-
-std::vector<Side> sortedSides(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.faces.size());
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.faces[f][k], b = mesh.faces[f][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), f, a < b});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-    return s.low != t.low ? s.low < t.low : s.high != t.high ? s.high < t.high : s.face < t.face;
-  });
-  return sides;
-}
 
 // Which things are joined, however indirectly.
 class Groups {
@@ -105,11 +86,11 @@ MeshReport inspectTopology(const TriangleMesh& mesh) {
   MeshReport report;
   report.triangles = mesh.faces.size();
   report.points = mesh.points.size();
-  const std::vector<Side> sides = sortedSides(mesh);
+  const std::vector<FaceSide> sides = sidesByEdge(mesh);
   Groups shells(mesh.faces.size());
   for (std::size_t begin = 0, end; begin < sides.size(); begin = end) {
     end = begin + 1;
-    while (end < sides.size() && sides[end].low == sides[begin].low && sides[end].high == sides[begin].high) {
+    while (end < sides.size() && sides[end].sameEdge(sides[begin])) {
       shells.join(sides[begin].face, sides[end].face);
       ++end;
     }

@@ -17,10 +17,18 @@ constexpr int kRings = 12;
 constexpr double kBeside = 0.005;  // a piece narrower than the way from ring to ring
 constexpr double kHand = 0.1;      // metres from the body: cloth further off hangs elsewhere
 
+// How high above the limb's origin each point of the mesh lies.
+std::vector<double> heightsOf(const TriangleMesh& mesh, const LimbFrame& limb) {
+  std::vector<double> heights;
+  heights.reserve(mesh.points.size());
+  for (const Vec3 p : mesh.points) heights.push_back(dot(p - limb.origin, limb.up));
+  return heights;
+}
+
 // Where the mesh meets the plane `height` above the limb's origin: loose segments on the plane, grouped by being
 // joined.
-std::vector<std::vector<Flat>> sections(const Body& body, const LimbFrame& limb, double height) {
-  const TriangleMesh& mesh = body.mesh();
+std::vector<std::vector<Flat>> sections(const TriangleMesh& mesh, const std::vector<double>& heights,
+                                        const LimbFrame& limb, double height) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> node;  // a crossed edge of the mesh is a node
   std::vector<Flat> place;
   std::vector<std::uint32_t> parent;
@@ -28,8 +36,10 @@ std::vector<std::vector<Flat>> sections(const Body& body, const LimbFrame& limb,
     while (parent[n] != n) n = parent[n] = parent[parent[n]];
     return n;
   };
-  const auto above = [&](std::uint32_t p) { return dot(mesh.points[p] - limb.origin, limb.up) - height; };
+  const auto above = [&](std::uint32_t p) { return heights[p] - height; };
   for (const Triangle& face : mesh.faces) {
+    const bool first = above(face[0]) < 0;
+    if ((above(face[1]) < 0) == first && (above(face[2]) < 0) == first) continue;  // most of them
     std::array<std::uint32_t, 3> ends{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -151,7 +161,8 @@ std::vector<SkinPlace> ringsAround(const std::vector<LimbRing>& rings, const Lim
 }
 
 std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, const FlatBox& box, bool bothLegs) {
-  const auto around = sections(body, limb, kOff);
+  const std::vector<double> heights = heightsOf(body.mesh(), limb);
+  const auto around = sections(body.mesh(), heights, limb, kOff);
   const auto* found = nearest(around, {0, 0});
   if (!found || found->size() < 3) return {};
   std::vector<SkinPlace> all;
@@ -167,7 +178,7 @@ std::vector<SkinPlace> levelsAround(const Body& body, const LimbFrame& limb, con
   for (int k = kLevels - 1; k >= 0; --k) {
     const double height = box.low.v + (box.high.v - box.low.v) * k / (kLevels - 1);
     std::vector<Flat> here;
-    for (const auto& loop : sections(body, limb, height + kOff)) {
+    for (const auto& loop : sections(body.mesh(), heights, limb, height + kOff)) {
       const FlatBox its = boxOf(loop);
       if (length(its.high - its.low) > reach) continue;
       const Flat centre = lerp(its.low, its.high, 0.5);
