@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <random>
 
 #include "../apps/karinui/batch/manifest.h"
@@ -77,6 +78,33 @@ TEST(Corpora, ABatchNamesFilesInItsFolderAndOutcomesThatThereAre) {
   EXPECT_TRUE(app::parseOutcome("{\"key\":\"00\",\"outcome\":\"ok\",\"numbers\":" + deep + "}", item).is_null());
   EXPECT_TRUE(sealed("did not settle").is_object());
   EXPECT_TRUE(sealed("it flew away").is_null());
+}
+
+TEST(Corpora, JsonIsHeldAsDeepAsItMayBe) {
+  const auto nested = [](int deep, const std::string& within) {
+    const auto levels = static_cast<std::size_t>(deep);
+    return std::string(levels, '[') + within + std::string(levels, ']');
+  };
+  for (const char* within : {"1", "\"word\"", "{}", "null"}) {
+    bool deep = true;
+    EXPECT_TRUE(app::shallowJson(nested(app::kDeepestJson, within), &deep)) << within;
+    EXPECT_FALSE(deep) << within;
+    EXPECT_FALSE(app::shallowJson(nested(app::kDeepestJson + 1, within), &deep)) << within;
+    EXPECT_TRUE(deep) << within;
+  }
+  EXPECT_FALSE(app::shallowJson("[1, 2"));
+  EXPECT_FALSE(app::shallowJson("[1e999]"));
+}
+
+// A batch of many garments has an object for each: ten times as many are not a hundred times as long to read.
+TEST(Corpora, JsonOfManyObjectsIsReadAtOnce) {
+  std::string many = "[{}";
+  for (int k = 1; k < 100'000; ++k) many += ",{}";
+  const std::clock_t began = std::clock();
+  const auto all = app::shallowJson(many + "]");
+  EXPECT_LT(std::clock() - began, 3 * CLOCKS_PER_SEC);
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->size(), 100'000u);
 }
 
 // Those that the fuzz targets read without the cell.
