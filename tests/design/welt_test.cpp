@@ -85,12 +85,16 @@ TEST(Welt, OneWeltOfABreastPocket) {
 TEST(Welt, LiesAboveTheLining) {
   const std::string pocket = "welt piece=skirt_front at=10cm,-20cm below=12cm\n",
                     lining = "lining piece=\"skirt_front skirt_back\" open=\"skirt_front.hem* skirt_back.hem*\"\n";
-  for (const std::string& both : {pocket + lining, lining + pocket}) {
-    const Document document =
-        withWelts(drapingRoom(), "body size=eu38\nset spacing=20mm\nblock kind=skirt\n" + both + "drape\n");
-    expectHangsWell(document);
-    EXPECT_GT(document.pieceNamed("pocket_bag_back")->layer, document.pieceNamed("skirt_front_lining")->layer) << both;
-  }
+  const auto sewn = [&](const std::string& more) {
+    return withWelts(drapingRoom(), "body size=eu38\nset spacing=20mm\nblock kind=skirt\n" + more);
+  };
+  const Document before = sewn(pocket + lining), after = sewn(lining + pocket);
+  for (const Document* document : {&before, &after})
+    EXPECT_GT(document->pieceNamed("pocket_bag_back")->layer, document->pieceNamed("skirt_front_lining")->layer);
+  // Alike in their layers, they hang alike: one drape is enough.
+  for (const auto& [id, piece] : before.pattern.pieces)
+    EXPECT_EQ(piece->layer, after.pieceNamed(piece->name)->layer) << piece->name;
+  expectHangsWell(sewn(lining + pocket + "drape\n"));
 }
 
 // The slit is cut when welt and bags are sewn on.

@@ -236,6 +236,8 @@ TEST_F(ReadBody, FacesTheTrunkForwards) {
     const TriangleMesh& m = (*made)->mesh();
     const Bvh own(m);
     for (const double degrees : {-33.0, -12.0, -5.0, 0.0, 2.0, 8.0, 17.0, 100.0, 171.0}) {
+      // Of the stout one two of these are enough: one that is turned back and one that is left.
+      if (std::string_view(size) == "eu50" && degrees != -12 && degrees != 2 && !atLength()) continue;
       const double turn = degrees * std::numbers::pi / 180, s = std::sin(turn), c = std::cos(turn);
       TriangleMesh turned = m;
       for (Vec3& p : turned.points) p = {c * p.x + s * p.z, p.y, c * p.z - s * p.x};
