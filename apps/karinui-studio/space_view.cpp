@@ -44,9 +44,11 @@ void readyForPainter() {
   glUseProgram(0);
 }
 
-Studio studioFor(bool software) {
+// Where only a share of the pixels is drawn, no soft light is gathered: that would take longer than the picture.
+Studio studioFor(bool software, bool roughly) {
   Studio studio;
   if (software) studio.keyMap = 1024, studio.skyDirections = 20, studio.skyMap = 384;
+  if (software && roughly) studio.keyMap = 256, studio.skyDirections = 0;
   return studio;
 }
 
@@ -124,7 +126,7 @@ void SpaceView::initializeGL() {
     emit failed(inWords(trouble_->what));
     return;
   }
-  auto made = Renderer::make(studioFor(software_));
+  auto made = Renderer::make(studioFor(software_, quickShare_.has_value()));
   if (!made) {
     trouble_ = made.error();
     emit failed(inWords(trouble_->what));
@@ -370,7 +372,8 @@ void SpaceView::showGarment() {
   renderer_->show(frame, top, light);
   if (beside()) {
     if (!beside_.renderer)
-      if (auto made = Renderer::make(studioFor(software_))) beside_.renderer = std::move(*made);
+      if (auto made = Renderer::make(studioFor(software_, quickShare_.has_value())))
+        beside_.renderer = std::move(*made);
     if (beside_.renderer) beside_.renderer->show(then.frame, top, light);
   }
   levelShown_ = level_ && !fitting->underWay ? girthsAt(*fitting, *level_) : std::vector<Girths>();

@@ -270,7 +270,7 @@ TEST_F(Batch, WantOfMemoryIsNoAnswer) {
   // With the least that the one who hands out the work can do with, which is not enough for the work: a figure that was
   // made before would be.
   Said said;
-  for (int megabytes = 40; megabytes < 200 && said.exit != 0; ++megabytes)
+  for (int megabytes = 40; megabytes < 200 && said.exit != 0; megabytes += 4)
     said = karinui("batch run " + run("poor") + " --json",
                    "C env -u KARINUI_FIGURES sh -c 'ulimit -v " + std::to_string(megabytes) + "000; exec \"$@\"' sh ");
   ASSERT_EQ(said.exit, 0) << said.err;

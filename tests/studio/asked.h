@@ -34,6 +34,12 @@ struct Numbers {  // the dialog that is open
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     w.rest();
   }
+  // Without the drape that follows, for what is asked of the step alone.
+  void acceptStep() {
+    const std::size_t before = w.count();
+    QTest::mouseClick(&make(), Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return w.count() > before; }, 60'000)) << w.main().said().toStdString();
+  }
 };
 
 inline const Piece& piece(Window& w, const char* name) {

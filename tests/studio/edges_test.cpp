@@ -101,7 +101,7 @@ TEST(StudioEdges, AWaistWithABandIsLetOutInOneAct) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   for (const char* line :
-       {"body size=eu38", "block kind=skirt",
+       {"body size=eu38", "set spacing=30mm", "block kind=skirt",
         "band name=waistband depth=4cm sew=yes of=\"skirt_front.waist_left skirt_front.waist_left_2 "
         "skirt_front.waist_right skirt_front.waist_right_2 skirt_back.waist_right skirt_back.waist_right_2 "
         "skirt_back.waist_left skirt_back.waist_left_2\""})

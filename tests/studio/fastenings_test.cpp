@@ -173,7 +173,7 @@ TEST(StudioFastenings, AFlyIsOfferedWhereOneBelongs) {
 TEST(StudioFastenings, ACrotchIsNotButtoned) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
-  for (const char* line : {"body size=eu38", "block kind=trousers"})
+  for (const char* line : {"body size=eu38", "set spacing=30mm", "block kind=trousers"})
     w.session().perform(*parseOperation(line)), w.rest();
   w.key(Command::Select);
   w.main().action(Command::ViewAll)->trigger();
@@ -192,10 +192,8 @@ TEST(StudioFastenings, ACrotchIsNotButtoned) {
 TEST(StudioFastenings, AShirtIsButtonedByTheRightButton) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
-  w.session().perform(*parseOperation("body size=eu38"));
-  w.rest();
-  w.session().perform(*parseOperation("block kind=shirt"));
-  w.rest();
+  for (const char* line : {"body size=eu38", "set spacing=30mm", "block kind=shirt"})
+    w.session().perform(*parseOperation(line)), w.rest();
   w.key(Command::Select);
   w.main().action(Command::ViewAll)->trigger();
   w.rest();

@@ -56,7 +56,8 @@ TEST(StudioFigure, IsMadeOfWhatWasTypedAndGoesOnWithoutItsSize) {
 TEST(StudioFigure, TheBoardStaysWhereMeasuresAreTyped) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
-  for (const char* line : {"body size=eu38", "block kind=skirt"}) w.session().perform(*parseOperation(line)), w.rest();
+  for (const char* line : {"body size=eu38", "set spacing=30mm", "block kind=skirt"})
+    w.session().perform(*parseOperation(line)), w.rest();
   const fs::path before = w.session().path();
   w.main().boards().setCurrentIndex(1);
   w.rest();

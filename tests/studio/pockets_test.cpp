@@ -99,7 +99,7 @@ std::optional<PieceId> pieceOfSeamPocket(Window& w, const char* pointedAt) {
   EXPECT_TRUE(choose(w, "Pocket in this seam…")) << w.main().said().toStdString();
   Numbers numbers(w);
   if (!numbers) return std::nullopt;
-  numbers.accept();
+  numbers.acceptStep();
   if (w.count() <= before) return std::nullopt;
   const auto* pocket = std::get_if<SewPocket>(&w.session().steps()[before].operation);
   return pocket ? std::optional(pocket->edge.piece.id) : std::nullopt;
@@ -172,7 +172,7 @@ TEST(StudioPockets, ByTheMenu) {
   fromTheMenu(w, say("Pocket in the seam of the chosen edge…"));
   Numbers numbers(w);
   ASSERT_TRUE(numbers);
-  numbers.accept();
+  numbers.acceptStep();
   EXPECT_EQ(pockets(w), 1u);
   EXPECT_EQ(w.session().snapshot().document.pieceNamed("pocket_bag_front")->fabric, "cotton");
 }

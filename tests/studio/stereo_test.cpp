@@ -21,7 +21,7 @@ class StudioStereo : public testing::Test {
  protected:
   void SetUp() override {
     KARINUI_NEEDS_DISPLAY();
-    window_.emplace();
+    window_.emplace(Pictures::Whole);
     w().session().begin(DocumentFile::inMemory());
     w().rest();
     const auto dot = parseOperation(
@@ -40,7 +40,6 @@ class StudioStereo : public testing::Test {
   // What `look` has, with the dot and without it.
   template <class Look>
   auto both(Stereo stereo, Look&& look) {
-    w().space().setQuick({});
     w().space().setEyes(apart_, 1);
     w().space().setStereo(stereo);
     w().space().setCamera(Camera{{0, 1, kAway}, {0, 1, 0}});

@@ -292,8 +292,7 @@ TEST(StudioTools, AShirtFromTheFigureInTwoClicks) {
   KARINUI_NEEDS_DISPLAY();
   Window w;
   w.session().begin(DocumentFile::inMemory());
-  w.session().perform(SetBody{.size = "eu50", .sex = {}, .set = {}, .mesh = {}});
-  w.rest();
+  for (const char* line : {"body size=eu50", "set spacing=20mm"}) w.session().perform(*parseOperation(line)), w.rest();
   auto* blocks = w.main().findChild<QPushButton*>("blocks_button");
   ASSERT_TRUE(blocks && blocks->menu());
   QMenu* menu = blocks->menu();
@@ -302,8 +301,8 @@ TEST(StudioTools, AShirtFromTheFigureInTwoClicks) {
   ASSERT_TRUE(shirt && shirt->isEnabled());
   QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(shirt).center());
   w.rest();
-  ASSERT_EQ(w.count(), 3u) << w.main().said().toStdString();
-  EXPECT_THAT(text(w.session().steps()[1].operation), StartsWith("block kind=shirt"));
+  ASSERT_EQ(w.count(), 4u) << w.main().said().toStdString();
+  EXPECT_THAT(text(w.session().steps()[2].operation), StartsWith("block kind=shirt"));
   const auto& report = w.session().snapshot().document.drape.last;
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->settled);

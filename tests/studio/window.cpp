@@ -106,12 +106,12 @@ SessionOptions options() {
   return options;
 }
 
-Window::Window() {
+Window::Window(Pictures pictures) {
   application();
   Theme::here().setLanguage(Language::English);
   main_ = std::make_unique<MainWindow>(options());
   main_->resize(std::getenv("KARINUI_PICTURES") ? QSize(1400, 860) : QSize(860, 540));
-  if (!std::getenv("KARINUI_PICTURES")) space().setQuick(0.2);  // much less than the processor would have to draw
+  if (!std::getenv("KARINUI_PICTURES") && pictures == Pictures::Rough) space().setQuick(0.2);
   main_->show();
   QApplication::processEvents();
 }

@@ -40,9 +40,12 @@ struct Folder {
   }
 };
 
+// Whether the window's pictures are looked at. Where they are not, much less is drawn than the processor would have to.
+enum class Pictures { Rough, Whole };
+
 class Window {
  public:
-  Window();
+  explicit Window(Pictures pictures = Pictures::Rough);
   MainWindow& main() { return *main_; }
   Session& session() { return main_->session(); }
   SpaceView& space() { return main_->space(); }

@@ -37,8 +37,7 @@ int differing(const QImage& a, const QImage& b) {
 // While it turns less is drawn (the tests' display has no graphics card); a moment later the whole picture is there.
 TEST(StudioWindow, DrawsLessWhileItTurnsAndAllOfItThen) {
   KARINUI_NEEDS_DISPLAY();
-  Window w;
-  w.space().setQuick({});
+  Window w(Pictures::Whole);
   w.openTunic();
   const QPointF middle = QRectF(w.space().rect()).center();
   QImage turning;
