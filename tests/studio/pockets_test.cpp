@@ -58,7 +58,7 @@ TEST(StudioPockets, InASeamByTheRightButton) {
     w.rest();
     EXPECT_EQ(numbers.said(), "");
     EXPECT_EQ(pockets(w), 0u) << "it is only shown";
-    numbers.accept();
+    numbers.acceptStep();
   }
   ASSERT_GT(w.count(), before) << w.main().said().toStdString();
   EXPECT_THAT(text(w.session().steps()[before].operation), AllOf(StartsWith("pocket "), HasSubstr("length=170mm")));
