@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <ctime>
 #include <random>
 
 #include "../apps/karinui/batch/manifest.h"
@@ -96,15 +95,14 @@ TEST(Corpora, JsonIsHeldAsDeepAsItMayBe) {
   EXPECT_FALSE(app::shallowJson("[1e999]"));
 }
 
-// A batch of many garments has an object for each: ten times as many are not a hundred times as long to read.
+// A batch of many garments has an object for each. A reader that looks back at all of them for each would take hours.
 TEST(Corpora, JsonOfManyObjectsIsReadAtOnce) {
+  constexpr std::size_t kMany = 1'000'000;
   std::string many = "[{}";
-  for (int k = 1; k < 100'000; ++k) many += ",{}";
-  const std::clock_t began = std::clock();
+  for (std::size_t k = 1; k < kMany; ++k) many += ",{}";
   const auto all = app::shallowJson(many + "]");
-  EXPECT_LT(std::clock() - began, 3 * CLOCKS_PER_SEC);
   ASSERT_TRUE(all);
-  EXPECT_EQ(all->size(), 100'000u);
+  EXPECT_EQ(all->size(), kMany);
 }
 
 // Those that the fuzz targets read without the cell.
