@@ -6,6 +6,11 @@
 #include "cloth/intersection_contour.h"
 
 namespace karinui {
+namespace {
+
+constexpr int kSmoothings = 20;  // of averages: a knot is some ten nodes wide
+
+}  // namespace
 
 std::vector<Vec3> withFlatFolds(const DetailTransfer& detail, const Cloth& fine, const Cloth& coarse,
                                 std::span<const Vec3> places, Workers& workers) {
@@ -33,6 +38,23 @@ std::vector<Vec3> withFlatFolds(const DetailTransfer& detail, const Cloth& fine,
   give(flat, 0);
   give(kept, 1);
   return detail.at(places, share, workers);
+}
+
+std::vector<Vec3> withKnotsSmoothed(const Cloth& cloth, std::vector<Vec3> places, Workers& workers) {
+  IntersectionContour contour(cloth);
+  contour.find(places, workers);
+  const auto beside = neighboursOf(cloth);
+  std::vector<Vec3> next = places;
+  for (int round = 0; round < kSmoothings; ++round) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (contour.near()[k] == 0 || beside[k].empty()) continue;
+      Vec3 sum;
+      for (const std::uint32_t n : beside[k]) sum += places[n];
+      next[k] = sum * (1.0 / static_cast<double>(beside[k].size()));
+    }
+    places = next;
+  }
+  return places;
 }
 
 }  // namespace karinui

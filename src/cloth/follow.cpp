@@ -29,9 +29,10 @@ constexpr int kNewton = 2;
 // Wider cells do not go a way for a level where more than such a share of them cross each other to begin with, as the
 // layers of a lined waistcoat do, each of whose folds is some cells wide: they would lie in another order.
 constexpr double kFewCross = 0.05;
-// Steps of the level afterwards: so many even out its detail, and up to so many part what crosses. Of sixty ways those
-// that came to an end had at most 14 crossings after five steps, the others 41 at least.
-constexpr int kLeastSteps = 3, kMostSteps = 15, kFirstSteps = 5;
+// Steps of the level afterwards: so many even out its detail, and up to so many part what crosses. What a few have not
+// parted is a knot, and is smoothed; where that leaves more crossings they are of layers, as of a pocket and its front,
+// which did not part in forty steps.
+constexpr int kLeastSteps = 3, kMostSteps = 15, kStepsToKnots = 5;
 constexpr std::size_t kCrossingsLeft = 30;
 constexpr double kCaughtInFold = 2.5;  // times its length that a thread is drawn out: cloth that is caught in a fold
 
@@ -89,6 +90,10 @@ class LevelOnSkin {
     if (keepOutOfSkin(places(), moves, skin_, workers_)) solver_.moveFiltered(std::move(moves));
   }
   std::size_t crossings() { return solver_.intersections(); }
+  void smoothKnots() {
+    solver_.setPositions(withKnotsSmoothed(solver_.cloth(), places(), workers_));
+    leaveSkin();
+  }
   // Whether it crosses itself; it is separated in the steps that follow.
   bool crosses() { return solver_.separateIntersections(); }
   std::vector<Vec3> finished() {
@@ -190,8 +195,12 @@ Result<std::optional<FollowReport>> followWider(ClothLevel& level, const Cloth& 
   for (int k = 1; k <= kLeastSteps || (crosses && k <= kMostSteps); ++k) {
     const bool whole = fine.step(token);
     if (token.cancelled()) return cancelled();
-    if (!whole || (k == kFirstSteps && fine.crossings() > kCrossingsLeft)) return std::optional<FollowReport>();
-    if (crosses) crosses = fine.crosses();
+    if (!whole) return std::optional<FollowReport>();
+    if (crosses) crosses = fine.crossings() > 0;
+    if (!crosses || k % kStepsToKnots != 0) continue;
+    fine.smoothKnots();
+    if (fine.crossings() > kCrossingsLeft) return std::optional<FollowReport>();
+    crosses = fine.crosses();
   }
   if (crosses || mostDrawnOut(level.cloth, fine.places()).times > kCaughtInFold) return std::optional<FollowReport>();
   level.state.position = fine.finished();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 
 #include "cloth/helpers.h"
 #include "cloth/intersection_contour.h"
@@ -79,6 +80,30 @@ TEST(FlatFolds, KeepTheirDetailWhereWideCellsCross) {
 TEST(FlatFolds, AreAsTheyWereWhereNothingCrosses) {
   Lowered sheet(kSheetsApart / 2);
   EXPECT_EQ(sheet.flat(), sheet.whole);
+}
+
+// A sheet whose middle is a tangle lies smooth there, and as it lay elsewhere.
+TEST(FlatFolds, OpenAKnotOfOneSheet) {
+  Cloth cloth;
+  addPiece(cloth, gridLattice(40, 40, 0.01), textbook(1000, 1e-5, 0.2));
+  Workers workers;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> off(-0.03, 0.03);
+  const auto inKnot = [](Flat at) { return distance(at, Flat{0.2, 0.2}) < 0.045; };
+  const std::vector<Vec3> x =
+      standingBy(cloth, [&](std::size_t, Flat at) {
+        return inKnot(at) ? Vec3{at.u + off(random), at.v + off(random), off(random)} : Vec3{at.u, at.v, 0};
+      }).position;
+  ASSERT_GT(crossingsOf(cloth, x, workers), 10u);
+  const std::vector<Vec3> smooth = withKnotsSmoothed(cloth, x, workers);
+  EXPECT_EQ(crossingsOf(cloth, smooth, workers), 0u);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const Flat at = cloth.pieces[0].lattice->nodes[k];
+    if (distance(at, Flat{0.2, 0.2}) > 0.09) {
+      EXPECT_EQ(smooth[k], x[k]);
+    }
+    EXPECT_LT(std::fabs(smooth[k].z), 0.01);
+  }
 }
 
 }  // namespace
