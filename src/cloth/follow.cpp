@@ -30,8 +30,8 @@ constexpr int kNewton = 2;
 // layers of a lined waistcoat do, each of whose folds is some cells wide: they would lie in another order.
 constexpr double kFewCross = 0.05;
 // Steps of the level afterwards: so many even out its detail, and up to so many part what crosses. What a few have not
-// parted is a knot, and is smoothed; where that leaves more crossings they are of layers, as of a pocket and its front,
-// which did not part in forty steps.
+// parted may be knots, which are smoothed; where that leaves more crossings they are of layers, as of a pocket and its
+// front, which did not part in forty steps.
 constexpr int kLeastSteps = 3, kMostSteps = 15, kStepsToKnots = 5;
 constexpr std::size_t kCrossingsLeft = 30;
 constexpr double kCaughtInFold = 2.5;  // times its length that a thread is drawn out: cloth that is caught in a fold
@@ -90,9 +90,16 @@ class LevelOnSkin {
     if (keepOutOfSkin(places(), moves, skin_, workers_)) solver_.moveFiltered(std::move(moves));
   }
   std::size_t crossings() { return solver_.intersections(); }
-  void smoothKnots() {
-    solver_.setPositions(withKnotsSmoothed(solver_.cloth(), places(), workers_));
+  // Whether it crosses itself at fewer places with its knots smoothed; else it stays as it is, for layers that pass
+  // through each other have none.
+  bool smoothKnots() {
+    const std::size_t before = crossings();
+    std::vector<Vec3> knotted = places();
+    solver_.setPositions(withKnotsSmoothed(solver_.cloth(), knotted, workers_));
     leaveSkin();
+    if (crossings() < before) return true;
+    solver_.setPositions(std::move(knotted));
+    return false;
   }
   // Whether it crosses itself; it is separated in the steps that follow.
   bool crosses() { return solver_.separateIntersections(); }
@@ -198,9 +205,8 @@ Result<std::optional<FollowReport>> followWider(ClothLevel& level, const Cloth& 
     if (!whole) return std::optional<FollowReport>();
     if (crosses) crosses = fine.crossings() > 0;
     if (!crosses || k % kStepsToKnots != 0) continue;
-    fine.smoothKnots();
+    if (fine.smoothKnots()) crosses = fine.crosses();
     if (fine.crossings() > kCrossingsLeft) return std::optional<FollowReport>();
-    crosses = fine.crosses();
   }
   if (crosses || mostDrawnOut(level.cloth, fine.places()).times > kCaughtInFold) return std::optional<FollowReport>();
   level.state.position = fine.finished();
