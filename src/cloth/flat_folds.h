@@ -6,10 +6,10 @@
 
 namespace karinui {
 
-// Where a fold of a coarse level closes, the detail of one side reaches into that of the other.
-// Where the fine nodes are when the coarse ones are at `places`, with the turns of `detail` as they are. Fine faces
-// that would intersect others lie flat on the coarse ones, which intersect less; where those do, too, the detail is
-// kept.
+// Where the fine nodes are when the coarse ones are at `places`, with the turns of `detail` as they are. As a fold of
+// the coarse level closes, the detail of one side reaches into that of the other: fine faces that would intersect
+// others lie flat on the coarse ones, which intersect less. Where those do, too, the detail is kept, since it tells
+// which layer is above.
 std::vector<Vec3> withFlatFolds(const DetailTransfer& detail, const Cloth& fine, const Cloth& coarse,
                                 std::span<const Vec3> places, Workers& workers);
 
